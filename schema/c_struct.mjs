@@ -20,7 +20,7 @@ function aboutOf(struct, field) {
   const sentence = struct.isGiven ? asInC(withUnit(field)) : withUnit(field);
   if (field.isList) return sentence.replace(/; empty for none\b/, '').replace(/\bempty\b/, 'none');
   if (!struct.isGiven) return sentence;
-  if (field.type === 'text') return `${sentence.replace(/(?<!\.)\.$/, '').replace(/; (may be empty|empty for none)/, '')}; null for none.`;
+  if (field.type === 'text' && !field.isOptional) return `${sentence.replace(/(?<!\.)\.$/, '').replace(/; (may be empty|empty for none)/, '')}; null for none.`;
   if (isId(field.type)) return sentence.replace(/\bnone\b/, '0');
   return isDefinition(field.type) && field.isOptional ? sentence.replace(/\bnone\b/, 'null') : sentence;
 }
@@ -28,12 +28,14 @@ function aboutOf(struct, field) {
 /** The name of the number of a list. */
 const countOf = (struct, { name, countName }) => countName || (struct.flags.has('columns') ? 'count' : `${singular(name)}Count`);
 
-/** A list, and its number where that is no field of its own. */
+/** A list, its number where that is no field of its own, and whether there is one where there may be none. */
 function listMembers(struct, field, type, about) {
   const count = countOf(struct, field);
-  const list = { type: `const ${type}*`, name: field.name, about, count };
+  const [sentence, none = ''] = field.isOptional ? about.replace(/\.$/, '').split('; none for ') : [];
+  const has = field.isOptional ? [{ type: 'bool', name: hasOf(field.name), about: `False: ${none}.` }] : [];
+  const list = { type: `const ${type}*`, name: field.name, about: field.isOptional ? `${sentence}.` : about, count };
   const isOwn = struct.flags.has('columns') || field.countName !== '';
-  return isOwn ? [list] : [list, { type: 'int32_t', name: count, about: 'Their number.' }];
+  return isOwn ? [list] : [...has, list, { type: 'int32_t', name: count, about: 'Their number.' }];
 }
 
 function membersOf(struct, field) {
@@ -128,12 +130,16 @@ function marshal(struct, field) {
   const from = `p.${field.as || name}`;
   const both = `c.${name}, ${from}`;
   const has = `c.${hasOf(name)}`;
-  if (field.isList) return [`m.${isFlat(type) ? 'list' : 'items'}(c.${name}, c.${countOf(struct, field)}, ${from}, "${name}");`];
+  if (field.isList) {
+    const visit = isFlat(type) ? 'list' : 'items';
+    const words = (list) => `c.${name}, c.${countOf(struct, field)}, ${list}, "${name}"`;
+    return [field.isOptional ? `if (m.given(${has}, ${from})) m.${visit}(${words(`*${from}`)});` : `m.${visit}(${words(from)});`];
+  }
   if (type === 'PolygonWithHoles')
     return [`m.part(c.${name}, ${from}.outline, "${name}");`, `m.items(c.holes, c.holeCount, ${from}.holes, "holes");`];
   if (type === 'Parameters') return [`parameterFields(m, c, ${from});`];
   if (isId(type)) return [`m.id(${both});`];
-  if (type === 'text') return [`m.text(${both});`];
+  if (type === 'text') return [field.isOptional ? `if (m.given(${has}, ${from})) m.text(c.${name}, *${from});` : `m.text(${both});`];
   if (isEnumeration(type))
     return [field.isOptional ? `m.optionalChoice(${has}, ${both}, kLastOf<${type}>, "${name}");` : `m.choice(${both}, kLastOf<${type}>, "${name}");`];
   if (field.isOptional) return [isDefinition(type) ? `m.optionalPart(${both}, "${name}");` : `m.optional(${has}, ${both});`];

@@ -1,8 +1,8 @@
 // The structs of commands in C++, what checks their fields, and what people are shown of them.
 import { structLines } from './cpp_struct.mjs';
-import { commands, definitionOf, formerCommands, isEnumeration } from './read.mjs';
+import { commands, definitionOf, formerCommands, isEnumeration, kGivenFlags } from './read.mjs';
 import { call, kWidth, limit, listed } from './text.mjs';
-import { isId } from './types.mjs';
+import { isId, mayBeNone } from './types.mjs';
 
 export const kBanner = '// Made by schema/generate.mjs from schema/commands.txt: change these, not this file.\n';
 
@@ -94,14 +94,20 @@ ${numbers('kFormerNumbers', formerCommands)}
 /** The check of one field, as an expression of type Status; null where every value of its type will do. */
 function checkOf(field) {
   const value = `c.${field.name}`;
+  const { type, flags } = field;
+  if (!mayBeNone(field) || isEnumeration(type) || type === 'Colour') return checkOfValue(field, value);
+  if (!field.isList && definitionOf(type)?.inCommands.check === 'validate(#)' && !flags.has('unchecked')) return `validateIfAny(${value})`;
+  const check = checkOfValue(field, 'value');
+  return check === null ? null : `checkIfAny(${value}, [](const auto& value) { return ${check}; })`;
+}
+
+function checkOfValue(field, value) {
   const { type, range } = field;
   if (field.flags.has('unchecked') || isId(type) || type === 'bool') return null;
   if (type === 'text') return `isText("${field.name}", ${value})`;
   if (type === 'Colour') return `validateColour(${value})`;
   const { check, 'check-list': checkList } = definitionOf(type)?.inCommands ?? {};
   if (check && field.isList) return checkList?.replace('#', value) ?? null;
-  if (check === 'validate(#)' && field.isOptional) return `validateIfAny(${value})`;
-  if (check && field.isOptional) return `checkIfAny(${value}, [](const auto& def) { return ${check.replace('#', 'def')}; })`;
   if (check) return check.replace('#', value);
   if (field.isList) {
     if (type === 'CharacterId') return `eachOnce(${value})`;
@@ -179,13 +185,24 @@ Status validateCommand(const Command& command) {
 `;
 }
 
+const traitsIn = (label, flags) => `{"${label}", ${['undoable', 'directs', 'edits', 'slides', 'queues'].map((name) => String(flags.has(name))).join(', ')}}`;
+
+/** The fields that say what is true of a command that gives them: those with flags, and all others that may be none. */
+function givenFields({ fields }) {
+  const says = (field) => kGivenFlags.some((flag) => field.flags.has(flag));
+  return fields.some(says) ? fields.filter((field) => says(field) || mayBeNone(field)) : [];
+}
+
+function givenTraits(command) {
+  const undoable = [...command.flags].filter((flag) => flag === 'undoable');
+  const rows = givenFields(command).map(({ name, type, label, flags, isOptional }) =>
+    `        give(c->${name}${isOptional ? '.has_value()' : ''}, ${traitsIn(label, new Set([...undoable, ...flags]))});`);
+  return rows.length === 0 ? [] : [`    if (const auto* c = std::get_if<${command.name}>(&body)) {`, ...rows, '    }'];
+}
+
 /** What people are told of commands, and which of them do what. */
 function traits() {
-  const flag = (command, name) => String(command.flags.has(name));
-  const rows = commands.map((command) => ({
-    code: `{"${command.label}", ${['undoable', 'directs', 'edits', 'slides', 'queues'].map((name) => flag(command, name)).join(', ')}},`,
-    about: command.name,
-  }));
+  const rows = commands.map(({ label, flags, name }) => ({ code: `${traitsIn(label, flags)},`, about: name }));
   const column = Math.max(...rows.map(({ code }) => code.length)) + 2;
   return `${kBanner}// What the studio has to know of each kind of command.
 #pragma once
@@ -196,7 +213,7 @@ function traits() {
 
 namespace muster {
 
-/// What is true of all commands of one kind.
+/// What is true of a command.
 struct CommandTraits {
     const char* label;  ///< What undo and redo call it; empty where that depends on more.
     bool undoable;      ///< It can be taken back.
@@ -206,13 +223,25 @@ struct CommandTraits {
     bool queues;        ///< It changes the queue of its group in a way that only the world knows.
 };
 
+/// Those of each kind.
 inline constexpr std::array<CommandTraits, std::variant_size_v<CommandKinds>> kCommandTraits{{
 ${rows.map(({ code, about }) => `    ${code.padEnd(column)}// ${about}`).join('\n')}
 }};
 
-/// The traits of a command.
-inline const CommandTraits& traitsOf(const CommandBody& body) {
-    return kCommandTraits[body.index()];
+/// The traits of a command: those of its kind or, where it gives fields that have their own, those that all
+/// of these have.
+inline CommandTraits traitsOf(const CommandBody& body) {
+    CommandTraits traits = kCommandTraits[body.index()];
+    auto give = [&, first = true](bool given, const CommandTraits& of) mutable {
+        if (!given) return;
+        if (first && *of.label != '\\0') traits.label = of.label;
+        traits.directs = of.directs && (first || traits.directs);
+        traits.edits = of.edits && (first || traits.edits);
+        traits.slides = of.slides && (first || traits.slides);
+        first = false;
+    };
+${commands.flatMap(givenTraits).join('\n')}
+    return traits;
 }
 
 }  // namespace muster

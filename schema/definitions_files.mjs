@@ -9,7 +9,7 @@ import { isId } from './types.mjs';
 const kOwnForms = {
   'Body[]': (field, need) => ['describeBodies', ['v', `"${field.name}"`, `d.${field.name}`, need]],
   'RoleDef[]': (field, need) => ['describeRoles', ['v', `d.${field.name}`, need]],
-  'PeopleDef[]': (field) => ['describePeople', ['v', `d.${field.name}`]],
+  'PeopleDef[]': (field, need) => ['describePeople', ['v', `d.${field.name}`, need]],
   'Order[]': (field) => ['describeOrders', ['v', `d.${field.name}`, limit(field.count.high), quoted(aboutOf(field))]],
   Distribution: (field) => ['describeDrawn', ['v', `"${field.name}"`, `d.${field.name}`, `"${field.unit}"`, quoted(aboutOf(field))]],
   TimedPath: (field) => ['describePath', ['v', `d.${field.name}`]],

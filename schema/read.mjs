@@ -11,10 +11,12 @@ export const root = join(folder, '..');
 
 const kCommandFlags = ['relations', 'by-hand', 'undoable', 'directs', 'edits', 'slides', 'queues'];
 const kDefinitionFlags = ['equal', 'flat', 'relations', 'no-c', 'no-files', 'unsaved'];
-const kFieldFlags = ['required', 'omit', 'unchecked', 'internal', 'xy', 'within', 'unhashed', 'inline', 'c-only', 'cpp-only'];
+/** What may be true of single fields of a command, and only where they are given. */
+export const kGivenFlags = ['directs', 'edits', 'slides'];
+const kFieldFlags = ['required', 'omit', 'unchecked', 'internal', 'xy', 'within', 'unhashed', 'inline', 'c-only', 'cpp-only', ...kGivenFlags];
 /** What a field may say with a word or a text behind it, and what it is called in the field that was read. */
 const kFieldWords = { key: 'key', since: 'since', 'files-after': 'filesAfter', 'c-after': 'cAfter', count: 'countName', as: 'as' };
-const kFieldTexts = { files: 'inFiles', unless: 'unless', needed: 'needed', called: 'called', apart: 'apart' };
+const kFieldTexts = { files: 'inFiles', unless: 'unless', needed: 'needed', called: 'called', apart: 'apart', label: 'label' };
 /** The parts into which definitions are divided, each a header. */
 export const kSubjects = ['ground', 'people', 'orders', 'world'];
 
@@ -96,7 +98,7 @@ export function readField(tokens, line, isKnown = isDeclared) {
     fail(line, `the type ${type.type} of ${name} is not known, expected one of schema/types.mjs, an enumeration or a definition above`);
   const field = {
     name, ...type, unit: '', range: null, initial: '', sentence: '', flags: new Set(), key: '', since: '', filesAfter: '', cAfter: '',
-    inFiles: '', unless: '', needed: '', called: '', apart: null, countName: '', as: '',
+    inFiles: '', unless: '', needed: '', called: '', apart: null, label: '', countName: '', as: '',
   };
   while (tokens.length > 0) {
     const { word: next, unit, text } = tokens.shift();

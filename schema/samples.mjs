@@ -19,6 +19,7 @@ function item({ type, range, name }) {
 
 function statement(field) {
   const { name, type, isList, isOptional } = field;
+  if (isList && isOptional) return `            if (draw.flag()) draw.list(c.${name}.emplace(), [&] { return ${item(field)}; });`;
   if (isList && type === 'CharacterId') return `            c.${name} = draw.ids();`;
   if (isList) return `            draw.list(c.${name}, [&] { return ${item(field)}; });`;
   if (isOptional) return `            if (draw.flag()) c.${name} = ${item(field)};`;

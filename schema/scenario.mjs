@@ -2,7 +2,7 @@
 import { commands, definitionOf, formerCommands, isEnumeration } from './read.mjs';
 import { call, kWidth, limit, listed, quoted, real } from './text.mjs';
 import { kBanner } from './cpp.mjs';
-import { isId } from './types.mjs';
+import { isId, mayBeNone } from './types.mjs';
 
 /** A call, broken where it is too long for its line. */
 export function line(head, words, close = ');', indent = '        ') {
@@ -24,18 +24,32 @@ function rangeOf(field) {
   return `{${real(range.low)}, ${real(range.high)}}`;
 }
 
-/** The lines that describe one field. */
+/** The lines that describe one field. One that may be none is there where files have its key. */
 function describe(field) {
+  if (!mayBeNone(field) || isEnumeration(field.type) || field.type === 'Colour') return describeValue(field, `c.${field.name}`);
+  const named = definitionOf(field.type)?.inCommands;
+  if (named?.visit === 'object' && !field.isList) {
+    const inner = named.describe.replace('#', 'def');
+    return line('maybe(', [`"${field.name}"`, `c.${field.name}`, quoted(field.inFiles || field.sentence), `[](auto& inner, auto& def) { ${inner}; }`]);
+  }
+  const inner = describeValue({ ...field, isOptional: false, flags: new Set([...field.flags, 'given']) }, 'value');
+  const head = `        given("${field.name}", c.${field.name}, [&](auto& value, Need need) {`;
+  const short = `${head} ${inner[0].trim()} });`;
+  if (inner.length === 1 && short.length <= kWidth) return [short];
+  return [head, ...inner.map((text) => `    ${text}`), '        });'];
+}
+
+function describeValue(field, value) {
   const { name, type } = field;
-  const value = `c.${name}`;
   const about = quoted(field.inFiles || field.sentence);
   const named = definitionOf(type)?.inCommands;
   const isNeeded = field.flags.has('required') || (field.initial === '' && !field.isOptional && !field.flags.has('omit'));
-  const need = isNeeded ? ['Need::Required'] : [];
+  const given = field.flags.has('given');
+  const need = given ? ['need'] : isNeeded ? ['Need::Required'] : [];
   if (field.flags.has('internal')) return [];
   if (name === 'time' && type === 'f64') return ['        c.time = time;'];
-  if (named?.among) return [`        ${named.among.replace('#', value).replace('&', field.flags.has('required') ? 'Need::Required' : 'Need::Optional')};`];
-  if (named && field.isOptional) return line('maybe(', [`"${name}"`, value, about, `[](auto& inner, auto& def) { ${named.describe.replace('#', 'def')}; }`]);
+  if (given && !field.isList && named?.visit === 'objectOrKind') return line('describeShape(', ['v', `"${name}"`, value, about, 'need']);
+  if (named?.among) return [`        ${named.among.replace('#', value).replace('&', given ? 'need' : field.flags.has('required') ? 'Need::Required' : 'Need::Optional')};`];
   if (named) {
     const inner = `            "${named.key}", "", [&](auto& inner) { ${named.describe.replace('#', value)}; },`;
     const ends = inner.length + ' Need::Required);'.length <= kWidth ? [`${inner} Need::Required);`] : [inner, '            Need::Required);'];
@@ -44,7 +58,7 @@ function describe(field) {
   if (field.isList) {
     if (type === 'Vec2') return line('v.points(', [`"${name}"`, value, field.count?.low ?? '0', limit(field.count?.high ?? '200000'), about, ...(field.flags.has('required') ? need : [])]);
     const most = type === 'GroupId' || name === 'shares' ? 'kMaxGroups' : 'kMaxCharacters';
-    const wanted = field.flags.has('required') || (type === 'CharacterId' && !field.flags.has('unchecked')) || type === 'GroupId' ? ['Need::Required'] : [];
+    const wanted = given ? need : field.flags.has('required') || (type === 'CharacterId' && !field.flags.has('unchecked')) || type === 'GroupId' ? ['Need::Required'] : [];
     if (isId(type)) return line('describeIds(', ['v', `"${name}"`, value, most, about, 'Need::Required']);
     return line('v.numbers(', [`"${name}"`, value, rangeOf(field), most, about, ...wanted]);
   }
@@ -54,8 +68,10 @@ function describe(field) {
     return field.isOptional ? [`        if (takesPart<Visitor>(static_cast<bool>(${value})))`, ...whole.map((text) => `    ${text}`)] : whole;
   }
   if (isEnumeration(type)) return line('describeWord(', ['v', `"${field.key || name}"`, value, `k${type}Words`, about, ...need]);
-  if (type === 'text') return line('v.text(', [`"${name}"`, value, about, 'Need::Required']);
+  if (type === 'text') return line('v.text(', [`"${name}"`, value, about, ...need]);
   if (type === 'Colour') return line('v.colour(', [`"${name}"`, value, about]);
+  if (type === 'bool' && field.flags.has('omit'))
+    return [`        if (takesPart<Visitor>(${value}))`, ...line('v.flag(', [`"${name}"`, value, about], ');', '            ')];
   if (type === 'bool') return line('v.flag(', [`"${name}"`, value, about]);
   const visit = type === 'f64' ? 'number' : 'whole';
   const lines = line(`v.${visit}(`, [`"${name}"`, value, rangeOf(field), about, ...need]);
@@ -106,15 +122,26 @@ private:
         v.number("x", p.x, kCoordinate, "World coordinate.", Need::Required);
         v.number("y", p.y, kCoordinate, "World coordinate.", Need::Required);
     }
+    /// A value that may be left out: \`describe(value, need)\` where it is given.
+    template <class Value, class Describe>
+    void given(const char* key, std::optional<Value>& value, const Describe& describe) {
+        if constexpr (Visitor::kSchema) {
+            Value none{};
+            describe(none, Need::Optional);
+            v.eraseDefault(key);
+        } else if constexpr (Visitor::kReading) {
+            if (v.has(key)) describe(value.emplace(), Need::Required);
+        } else if (value) {
+            describe(*value, Need::Required);
+        }
+    }
     /// A definition that may be left out.
     template <class Def, class Describe>
     void maybe(const char* key, std::optional<Def>& def, const char* about, const Describe& describe) {
-        if constexpr (Visitor::kReading || Visitor::kSchema) {
-            Def found;
-            if (v.object(key, about, [&](auto& inner) { describe(inner, found); })) def = std::move(found);
-        } else if (def) {
-            v.object(key, about, [&](auto& inner) { describe(inner, *def); });
-        }
+        given(key, def, [&](auto& value, Need need) {
+            v.object(
+                key, about, [&](auto& inner) { describe(inner, value); }, need);
+        });
     }
 };
 

@@ -39,8 +39,8 @@ const nameOf = ({ name, key }) => key || name;
 
 function typeOf(field) {
   const item = typeOfItem(field.type);
-  if (field.isList) return `readonly ${item.startsWith('readonly') ? `(${item})` : item}[]`;
-  return mayBeNone(field) ? `${item} | null` : item;
+  const whole = field.isList ? `readonly ${item.startsWith('readonly') ? `(${item})` : item}[]` : item;
+  return mayBeNone(field) ? `${whole} | null` : whole;
 }
 
 /** "shape:PartShape=asHeld": name, type and default. */
@@ -49,7 +49,7 @@ function layoutOf(fields, nameOfField = ({ name }) => name) {
     const { type, initial, isList } = field;
     const item = isId(type) ? 'u32' : (kPlain[type]?.[1] ?? type);
     const start = initial === '' || isList ? '' : isEnumeration(type) ? lowerFirst(initial) : initial.replace(/"|\.0$/g, '').replace(/^(false|0)$/, '').replace('true', '1');
-    return `${nameOfField(field)}:${item}${isList ? '*' : mayBeNone(field) ? '?' : ''}${start === '' ? '' : `=${start}`}`;
+    return `${nameOfField(field)}:${item}${isList ? '*' : ''}${mayBeNone(field) ? '?' : ''}${start === '' ? '' : `=${start}`}`;
   };
   return fields.map(word).join(' ');
 }

@@ -73,9 +73,10 @@ function all(fields, given) {
   return Buffer.concat(
     fields.map((field) => {
       const value = given[field.name];
+      const write = field.isList ? list : one;
       if (field.isOptional && !isId(field.type))
-        return value === undefined || value === null ? number('u8', 0) : Buffer.concat([number('u8', 1), one(field, value)]);
-      return (field.isList ? list : one)(field, value ?? defaultOf(field));
+        return value === undefined || value === null ? number('u8', 0) : Buffer.concat([number('u8', 1), write(field, value)]);
+      return write(field, value ?? defaultOf(field));
     }),
   );
 }

@@ -56,7 +56,15 @@ public:
         c.shares = {real(0.1, 2), real(0.1, 2)};
     }
     void relate(MergeGroups& c) { c.groups = {GroupId{number()}, GroupId{1000001}}; }
-    void relate(SetBodies& c) { c.bodies.resize(flag() ? 1 : c.ids.size(), randomBody(*this)); }
+    void relate(ChangeGroup& c) {
+        if (c.demands) c.demands->resize(3, 1.0);
+        if (!c.formation && !c.count && !c.people && !c.conduct && !c.roles && !c.demands && !c.colour &&
+            !c.look)
+            c.name = text();
+    }
+    void relate(ChangeCharacters& c) {
+        if (!c.driver || c.bodies) c.bodies.emplace(flag() ? 1 : c.ids.size(), randomBody(*this));
+    }
     void relate(WriteMotion& c) {
         c.positions.resize(c.ids.size(), place());
         c.velocities.resize(flag() ? 0 : c.ids.size());

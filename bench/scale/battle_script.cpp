@@ -140,7 +140,9 @@ CommandBody BattleScript::order(const World& world, std::size_t group, std::int3
     if (kind < 0.88) return EditQueue{id, QueueEdit::Stop, 0};
     if (kind < 0.94) {
         const auto stance = static_cast<Stance>(random_.below(3));
-        return SetConduct{id, {stance, random_.uniform(), random_.uniform(), random_.uniform() < 0.3}};
+        return ChangeGroup{
+            .group = id,
+            .conduct = Conduct{stance, random_.uniform(), random_.uniform(), random_.uniform() < 0.3}};
     }
     return GiveOrder{id, QueueMode::Replace, 0, Order::face(random_.uniform(-kPi, kPi))};
 }
@@ -160,13 +162,13 @@ CommandBody BattleScript::regroup(const World& world, std::size_t group, std::in
     const std::size_t other = own[random_.below(static_cast<std::uint32_t>(own.size()))];
     if (kind == 1 && other != group && own.size() > 6)
         return MergeGroups{{id, world.group(other).id}, PartShape::Smaller};
-    SetFormation formation{id, world.groupDef(group).formation};
-    formation.formation.kind = static_cast<FormationKind>(random_.below(6));
-    return formation;
+    FormationDef formation = world.groupDef(group).formation;
+    formation.kind = static_cast<FormationKind>(random_.below(6));
+    return ChangeGroup{.group = id, .formation = formation};
 }
 
 CommandBody BattleScript::fallen(const World& world) {
-    RemoveCharacters remove;
+    TransferCharacters remove;
     const auto ids = world.characters().id;
     for (int k = 0; k < 3; ++k)
         remove.ids.push_back(ids[random_.below(static_cast<std::uint32_t>(ids.size()))]);

@@ -46,7 +46,7 @@ std::vector<Kind> kindsOf(const CommandsDef& def) {
     };
     const auto death = [](const World& world, std::int32_t round) -> CommandBody {
         const auto ids = world.characters().id;
-        return RemoveCharacters{{ids[static_cast<std::size_t>(round * 7919) % ids.size()]}};
+        return TransferCharacters{{ids[static_cast<std::size_t>(round * 7919) % ids.size()]}, {}};
     };
     const auto join = [first](const World& world, std::int32_t) -> CommandBody {
         return AddCharacters{first(world), {world.characters().position[0] + Vec2{2.0, 1.0}}, {}};

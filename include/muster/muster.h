@@ -783,6 +783,20 @@ typedef struct MusterGroupDef {
 /// 36 characters in a square at the origin.
 MUSTER_API MusterGroupDef muster_default_group_def(void);
 
+/// The colour of a group.
+typedef struct MusterGroupColour {
+    bool hasColour;   ///< False: the palette's.
+    uint32_t colour;  ///< Colour for display, 0xRRGGBB.
+} MusterGroupColour;
+
+/// How the people of a group look.
+typedef struct MusterGroupLook {
+    bool hasBuild;            ///< False: both, by the character's id.
+    MusterBodyBuild build;    ///< Build of its drawn bodies.
+    bool hasMotions;          ///< False: the plain manner.
+    MusterMotionSet motions;  ///< How it walks and jogs.
+} MusterGroupLook;
+
 /// A disc that changes the formation of a group which passes it.
 typedef struct MusterCheckpointDef {
     uint32_t structVersion;           ///< Set by muster_default_checkpoint_def().
@@ -980,23 +994,45 @@ typedef struct MusterReleaseClient {
     uint8_t unused;  ///< Not used; 0.
 } MusterReleaseClient;
 
-/// The group takes another formation.
-typedef struct MusterSetFormation {
-    MusterGroupId group;           ///< Group to change.
-    MusterFormationDef formation;  ///< Its new definition.
-} MusterSetFormation;
+/// Changes what a group is. What is not given stays as it is. First comes the formation with its number of
+/// places, then the sorts of people, who joins or leaves, and all else. Where one of them cannot be, none is
+/// changed.
+typedef struct MusterChangeGroup {
+    MusterGroupId group;                  ///< Group to change.
+    const MusterFormationDef* formation;  ///< Its formation; null for the one that it has.
+    bool hasCount;                        ///< False: the number that it has.
+    int32_t count;                        ///< Its number of characters: new ones join behind the mesh, those
+                                          ///< with the highest ids leave first.
+    bool hasPeople;                       ///< False: the sorts that it has.
+    const MusterPeopleDef* people;        ///< Its sorts of persons, none where all are as
+                                          ///< MusterGroupDef.bodies say. Persons who join it are drawn by
+                                          ///< them from now on. Its present members are drawn again, as those
+                                          ///< who come at once: each number that neither the sorts before nor
+                                          ///< these draw stays as it is. A person who has heard an order sets
+                                          ///< out when it was to.
+    int32_t peopleCount;                  ///< Their number.
+    const MusterConduct* conduct;         ///< How it behaves; null for as it does.
+    bool hasRoles;                        ///< False: the roles that it has.
+    const MusterRoleDef* roles;           ///< Which class stands where, in the order in which they choose
+                                          ///< places.
+    int32_t roleCount;                    ///< Their number.
+    bool hasDemands;                      ///< False: the demands that these have.
+    const double* demands;                ///< How many units of supply each place demands, 0 to 1000, of each
+                                          ///< place, or none for 1 each.
+    int32_t demandCount;                  ///< Their number.
+    bool hasName;                         ///< False: the one that it has.
+    const char* name;                     ///< Its name, of at most 4,096 bytes.
+    const MusterGroupColour* colour;      ///< Its colour; null for the one that it has.
+    const MusterGroupLook* look;          ///< How its people look; null for as they do.
+} MusterChangeGroup;
 
-/// Changes the number of characters. New ones join behind the mesh; those with the highest ids leave first.
-typedef struct MusterSetCount {
-    MusterGroupId group;  ///< Group to change.
-    int32_t count;        ///< New number of characters.
-} MusterSetCount;
-
-/// Moves the mesh at once; its places travel there.
+/// Moves the mesh of a group at once; its places and its characters walk there, or stand there at once. Its
+/// orders and controls end.
 typedef struct MusterSetPose {
     MusterGroupId group;  ///< Group to move.
     MusterVec2 position;  ///< New centre of the mesh in the world [m].
     double angle;         ///< New heading, counter-clockwise from +x [rad].
+    bool characters;      ///< True: its places and characters are there at once, and stand still.
 } MusterSetPose;
 
 /// Adds a group.
@@ -1052,12 +1088,6 @@ typedef struct MusterEditQueue {
     MusterOrderId order;   ///< For Cancel: the id of the order; 0 for all.
 } MusterEditQueue;
 
-/// Tells a group how to behave.
-typedef struct MusterSetConduct {
-    MusterGroupId group;    ///< The group.
-    MusterConduct conduct;  ///< How it behaves.
-} MusterSetConduct;
-
 /// Characters join a group where they stand; places are added to its formation. Events Joined tell their ids.
 typedef struct MusterAddCharacters {
     MusterGroupId group;          ///< Group that they join.
@@ -1067,17 +1097,12 @@ typedef struct MusterAddCharacters {
     int32_t bodyCount;            ///< Their number.
 } MusterAddCharacters;
 
-/// Characters leave the world; the ranks behind them close up. A group may become empty, and stays.
-typedef struct MusterRemoveCharacters {
-    const MusterCharacterId* ids;  ///< Their ids.
-    int32_t idCount;               ///< Their number.
-} MusterRemoveCharacters;
-
-/// Characters leave their groups for another one. Ids, positions and velocities stay.
+/// Characters leave their groups for another one, or leave the world. Ids, positions and velocities stay. The
+/// ranks behind them close up; a group may become empty, and stays.
 typedef struct MusterTransferCharacters {
     const MusterCharacterId* ids;  ///< Their ids.
     int32_t idCount;               ///< Their number.
-    MusterGroupId group;           ///< Group that they join.
+    MusterGroupId group;           ///< Group that they join; 0 to leave the world.
 } MusterTransferCharacters;
 
 /// Divides a group. The part that leaves is a new group, whose id the event GroupAdded tells; nobody stops,
@@ -1102,34 +1127,16 @@ typedef struct MusterMergeGroups {
     MusterPartShape shape;        ///< Smaller: the formation of the first for all; AsHeld: all places stay.
 } MusterMergeGroups;
 
-/// Gives characters other bodies.
-typedef struct MusterSetBodies {
+/// Changes what characters are. What is not given stays as it is.
+typedef struct MusterChangeCharacters {
     const MusterCharacterId* ids;  ///< Their ids.
     int32_t idCount;               ///< Their number.
-    const MusterBody* bodies;      ///< One for each, or one for all.
+    bool hasBodies;                ///< False: those that they have.
+    const MusterBody* bodies;      ///< Their bodies, one for each or one for all.
     int32_t bodyCount;             ///< Their number.
-} MusterSetBodies;
-
-/// Says which class stands where in a formation.
-typedef struct MusterSetRoles {
-    MusterGroupId group;         ///< The group.
-    const MusterRoleDef* roles;  ///< In the order in which they choose places.
-    int32_t roleCount;           ///< Their number.
-} MusterSetRoles;
-
-/// Says how many units of supply each place demands.
-typedef struct MusterSetDemands {
-    MusterGroupId group;    ///< The group.
-    const double* demands;  ///< Of each place, 0 to 1000; none for 1 each.
-    int32_t demandCount;    ///< Their number.
-} MusterSetDemands;
-
-/// Says what moves characters.
-typedef struct MusterSetDriver {
-    const MusterCharacterId* ids;  ///< Their ids.
-    int32_t idCount;               ///< Their number.
+    bool hasDriver;                ///< False: what moves them now.
     MusterDriver driver;           ///< What moves them.
-} MusterSetDriver;
+} MusterChangeCharacters;
 
 /// Where characters that are moved from outside are after this step.
 typedef struct MusterWriteMotion {
@@ -1140,45 +1147,6 @@ typedef struct MusterWriteMotion {
     const MusterVec2* velocities;  ///< Their velocities [m/s]; none for what follows from the last positions.
     int32_t velocityCount;         ///< Their number.
 } MusterWriteMotion;
-
-/// Puts a group elsewhere at once: its mesh, its places, and its characters, who stand still there. Its
-/// orders and controls end. (SetPose moves the mesh alone, and characters walk.)
-typedef struct MusterPlaceGroup {
-    MusterGroupId group;  ///< The group.
-    MusterVec2 position;  ///< New centre of the formation [m].
-    double angle;         ///< New heading, counter-clockwise from +x [rad].
-} MusterPlaceGroup;
-
-/// Gives a group another name.
-typedef struct MusterNameGroup {
-    MusterGroupId group;  ///< The group.
-    const char* name;     ///< At most 4,096 bytes; null for none.
-} MusterNameGroup;
-
-/// Gives a group another colour.
-typedef struct MusterColourGroup {
-    MusterGroupId group;  ///< The group.
-    bool hasColour;       ///< False: the palette's, by the group's id.
-    uint32_t colour;      ///< 0xRRGGBB.
-} MusterColourGroup;
-
-/// Gives the people of a group another appearance.
-typedef struct MusterSetAppearance {
-    MusterGroupId group;      ///< The group.
-    bool hasBuild;            ///< False: both, by the character's id.
-    MusterBodyBuild build;    ///< Build of its drawn bodies.
-    bool hasMotions;          ///< False: the plain manner.
-    MusterMotionSet motions;  ///< How it walks and jogs.
-} MusterSetAppearance;
-
-/// Gives a group other sorts of persons. Persons who join it by number or by a source are drawn by them from
-/// now on. Its present members are drawn again, as those who come at once: each number that neither the sorts
-/// before nor these draw stays as it is. A person who has heard an order sets out when it was to.
-typedef struct MusterSetPeople {
-    MusterGroupId group;            ///< The group.
-    const MusterPeopleDef* people;  ///< Its sorts; none: all are as MusterGroupDef.bodies say.
-    int32_t peopleCount;            ///< Their number.
-} MusterSetPeople;
 
 /// Reverses the orders of a group's queue: the last one begins, and what is under way comes last.
 typedef struct MusterReverseQueue {
@@ -1197,34 +1165,23 @@ enum MusterCommandKindValue {
     MUSTER_COMMAND_PIN_CONTROL = 5,           ///< Its body is `pinControl`.
     MUSTER_COMMAND_REMOVE_CONTROL = 6,        ///< Its body is `removeControl`.
     MUSTER_COMMAND_RELEASE_CLIENT = 7,        ///< Its body is `releaseClient`.
-    MUSTER_COMMAND_SET_FORMATION = 8,         ///< Its body is `setFormation`.
-    MUSTER_COMMAND_SET_COUNT = 9,             ///< Its body is `setCount`.
-    MUSTER_COMMAND_SET_POSE = 10,             ///< Its body is `setPose`.
-    MUSTER_COMMAND_ADD_GROUP = 11,            ///< Its body is `addGroup`.
-    MUSTER_COMMAND_REMOVE_GROUP = 12,         ///< Its body is `removeGroup`.
-    MUSTER_COMMAND_PUT_THING = 13,            ///< Its body is `putThing`.
-    MUSTER_COMMAND_REMOVE_THING = 14,         ///< Its body is `removeThing`.
-    MUSTER_COMMAND_SET_PARAMETER = 15,        ///< Its body is `setParameter`.
-    MUSTER_COMMAND_GIVE_ORDER = 16,           ///< Its body is `giveOrder`.
-    MUSTER_COMMAND_EDIT_QUEUE = 17,           ///< Its body is `editQueue`.
-    MUSTER_COMMAND_SET_CONDUCT = 18,          ///< Its body is `setConduct`.
-    MUSTER_COMMAND_ADD_CHARACTERS = 19,       ///< Its body is `addCharacters`.
-    MUSTER_COMMAND_REMOVE_CHARACTERS = 20,    ///< Its body is `removeCharacters`.
-    MUSTER_COMMAND_TRANSFER_CHARACTERS = 21,  ///< Its body is `transferCharacters`.
-    MUSTER_COMMAND_SPLIT_GROUP = 22,          ///< Its body is `splitGroup`.
-    MUSTER_COMMAND_MERGE_GROUPS = 23,         ///< Its body is `mergeGroups`.
-    MUSTER_COMMAND_SET_BODIES = 24,           ///< Its body is `setBodies`.
-    MUSTER_COMMAND_SET_ROLES = 25,            ///< Its body is `setRoles`.
-    MUSTER_COMMAND_SET_DEMANDS = 26,          ///< Its body is `setDemands`.
-    MUSTER_COMMAND_SET_DRIVER = 27,           ///< Its body is `setDriver`.
-    MUSTER_COMMAND_WRITE_MOTION = 28,         ///< Its body is `writeMotion`.
-    MUSTER_COMMAND_PLACE_GROUP = 29,          ///< Its body is `placeGroup`.
-    MUSTER_COMMAND_NAME_GROUP = 30,           ///< Its body is `nameGroup`.
-    MUSTER_COMMAND_COLOUR_GROUP = 31,         ///< Its body is `colourGroup`.
-    MUSTER_COMMAND_SET_APPEARANCE = 32,       ///< Its body is `setAppearance`.
-    MUSTER_COMMAND_SET_PEOPLE = 33,           ///< Its body is `setPeople`.
-    MUSTER_COMMAND_REVERSE_QUEUE = 34,        ///< Its body is `reverseQueue`.
-    MUSTER_COMMAND_COUNT = 35                 ///< Number of kinds.
+    MUSTER_COMMAND_CHANGE_GROUP = 8,          ///< Its body is `changeGroup`.
+    MUSTER_COMMAND_SET_POSE = 9,              ///< Its body is `setPose`.
+    MUSTER_COMMAND_ADD_GROUP = 10,            ///< Its body is `addGroup`.
+    MUSTER_COMMAND_REMOVE_GROUP = 11,         ///< Its body is `removeGroup`.
+    MUSTER_COMMAND_PUT_THING = 12,            ///< Its body is `putThing`.
+    MUSTER_COMMAND_REMOVE_THING = 13,         ///< Its body is `removeThing`.
+    MUSTER_COMMAND_SET_PARAMETER = 14,        ///< Its body is `setParameter`.
+    MUSTER_COMMAND_GIVE_ORDER = 15,           ///< Its body is `giveOrder`.
+    MUSTER_COMMAND_EDIT_QUEUE = 16,           ///< Its body is `editQueue`.
+    MUSTER_COMMAND_ADD_CHARACTERS = 17,       ///< Its body is `addCharacters`.
+    MUSTER_COMMAND_TRANSFER_CHARACTERS = 18,  ///< Its body is `transferCharacters`.
+    MUSTER_COMMAND_SPLIT_GROUP = 19,          ///< Its body is `splitGroup`.
+    MUSTER_COMMAND_MERGE_GROUPS = 20,         ///< Its body is `mergeGroups`.
+    MUSTER_COMMAND_CHANGE_CHARACTERS = 21,    ///< Its body is `changeCharacters`.
+    MUSTER_COMMAND_WRITE_MOTION = 22,         ///< Its body is `writeMotion`.
+    MUSTER_COMMAND_REVERSE_QUEUE = 23,        ///< Its body is `reverseQueue`.
+    MUSTER_COMMAND_COUNT = 24                 ///< Number of kinds.
 };
 
 /// What a command of each kind says. Only the member of the command's kind is read.
@@ -1237,8 +1194,7 @@ typedef union MusterCommandBody {
     MusterPinControl pinControl;                  ///< For MUSTER_COMMAND_PIN_CONTROL.
     MusterRemoveControl removeControl;            ///< For MUSTER_COMMAND_REMOVE_CONTROL.
     MusterReleaseClient releaseClient;            ///< For MUSTER_COMMAND_RELEASE_CLIENT.
-    MusterSetFormation setFormation;              ///< For MUSTER_COMMAND_SET_FORMATION.
-    MusterSetCount setCount;                      ///< For MUSTER_COMMAND_SET_COUNT.
+    MusterChangeGroup changeGroup;                ///< For MUSTER_COMMAND_CHANGE_GROUP.
     MusterSetPose setPose;                        ///< For MUSTER_COMMAND_SET_POSE.
     MusterAddGroup addGroup;                      ///< For MUSTER_COMMAND_ADD_GROUP.
     MusterRemoveGroup removeGroup;                ///< For MUSTER_COMMAND_REMOVE_GROUP.
@@ -1247,22 +1203,12 @@ typedef union MusterCommandBody {
     MusterSetParameter setParameter;              ///< For MUSTER_COMMAND_SET_PARAMETER.
     MusterGiveOrder giveOrder;                    ///< For MUSTER_COMMAND_GIVE_ORDER.
     MusterEditQueue editQueue;                    ///< For MUSTER_COMMAND_EDIT_QUEUE.
-    MusterSetConduct setConduct;                  ///< For MUSTER_COMMAND_SET_CONDUCT.
     MusterAddCharacters addCharacters;            ///< For MUSTER_COMMAND_ADD_CHARACTERS.
-    MusterRemoveCharacters removeCharacters;      ///< For MUSTER_COMMAND_REMOVE_CHARACTERS.
     MusterTransferCharacters transferCharacters;  ///< For MUSTER_COMMAND_TRANSFER_CHARACTERS.
     MusterSplitGroup splitGroup;                  ///< For MUSTER_COMMAND_SPLIT_GROUP.
     MusterMergeGroups mergeGroups;                ///< For MUSTER_COMMAND_MERGE_GROUPS.
-    MusterSetBodies setBodies;                    ///< For MUSTER_COMMAND_SET_BODIES.
-    MusterSetRoles setRoles;                      ///< For MUSTER_COMMAND_SET_ROLES.
-    MusterSetDemands setDemands;                  ///< For MUSTER_COMMAND_SET_DEMANDS.
-    MusterSetDriver setDriver;                    ///< For MUSTER_COMMAND_SET_DRIVER.
+    MusterChangeCharacters changeCharacters;      ///< For MUSTER_COMMAND_CHANGE_CHARACTERS.
     MusterWriteMotion writeMotion;                ///< For MUSTER_COMMAND_WRITE_MOTION.
-    MusterPlaceGroup placeGroup;                  ///< For MUSTER_COMMAND_PLACE_GROUP.
-    MusterNameGroup nameGroup;                    ///< For MUSTER_COMMAND_NAME_GROUP.
-    MusterColourGroup colourGroup;                ///< For MUSTER_COMMAND_COLOUR_GROUP.
-    MusterSetAppearance setAppearance;            ///< For MUSTER_COMMAND_SET_APPEARANCE.
-    MusterSetPeople setPeople;                    ///< For MUSTER_COMMAND_SET_PEOPLE.
     MusterReverseQueue reverseQueue;              ///< For MUSTER_COMMAND_REVERSE_QUEUE.
 } MusterCommandBody;
 

@@ -28,7 +28,7 @@ struct SessionLimits {
     std::size_t touchesPerMessage = 1024;     ///< Events of one Touches message.
     std::size_t pointsPerControl = 64;        ///< Points of one AddControl message.
     std::size_t waitingCommands = 20000;      ///< Commands queued for one step; only reached while paused.
-    std::int32_t charactersPerGroup = 20000;  ///< Characters that SetCount may ask for.
+    std::int32_t charactersPerGroup = 20000;  ///< Characters that a command may ask for.
     std::size_t commandsPerMessage = 256;     ///< Commands of one message.
     std::size_t commandBytes = std::size_t{1} << 18;  ///< Commands of one message.
     std::size_t forecastsPerMessage = 16;             ///< Orders of one AskForecasts message.

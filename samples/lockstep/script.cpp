@@ -134,7 +134,7 @@ void Script::people(const World& world, const GroupView& group, Commands& comman
         commands.push_back(add);
         return;
     }
-    muster::RemoveCharacters deaths;
+    muster::TransferCharacters deaths;  // To no group.
     const std::uint32_t count = 1 + random_.below(4);
     for (std::uint32_t i = 0; i < count && i < group.members.size(); ++i)
         deaths.ids.push_back(world.characters().id[group.members[group.members.size() - 1 - i]]);
@@ -146,7 +146,7 @@ void Script::shape(const GroupView& group, Commands& commands) {
         muster::Conduct conduct;
         conduct.cohesion = random_.between(0.0, 1.0);
         conduct.avoids = random_.chance(0.5);
-        commands.push_back(muster::SetConduct{group.id, conduct});
+        commands.push_back(muster::ChangeGroup{.group = group.id, .conduct = conduct});
         return;
     }
     using enum muster::FormationKind;
@@ -154,7 +154,7 @@ void Script::shape(const GroupView& group, Commands& commands) {
     muster::FormationDef formation;
     formation.kind = kinds[random_.below(static_cast<std::uint32_t>(kinds.size()))];
     formation.spacing = random_.between(0.9, 1.3);
-    commands.push_back(muster::SetFormation{group.id, formation});
+    commands.push_back(muster::ChangeGroup{.group = group.id, .formation = formation});
 }
 
 void Script::barricade(const World& world, Commands& commands) {

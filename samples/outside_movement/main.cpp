@@ -28,7 +28,7 @@ public:
     /// Tells Muster that it does not move them any more.
     void takeOver() {
         const auto ids = world_.characters().id;
-        send(muster::SetDriver{{ids.begin(), ids.end()}, muster::Driver::Outside});
+        send(muster::ChangeCharacters{{ids.begin(), ids.end()}, {}, muster::Driver::Outside});
         world_.step();
     }
 

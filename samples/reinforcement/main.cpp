@@ -53,7 +53,7 @@ private:
     void enlist(std::uint32_t id) { units[id] = {"unit " + std::to_string(id)}; }
 
     void step() {
-        if (!fallen_.empty()) send(muster::RemoveCharacters{fallen_});
+        if (!fallen_.empty()) send(muster::TransferCharacters{fallen_, {}});
         fallen_.clear();
         world_.step();
         for (const muster::Event& event : world_.events()) {

@@ -150,7 +150,7 @@ void Battle::split(const Ids& units) {
 }
 
 void Battle::fall(const Ids& units) {
-    muster::RemoveCharacters deaths;
+    muster::TransferCharacters deaths;  // To no group.
     for (const UnitPose& pose : now_) {
         if (!units.contains(pose.id)) continue;
         deaths.ids.push_back(pose.id);

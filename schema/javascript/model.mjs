@@ -141,10 +141,12 @@ export class Model {
     const flag = at(`has${field.name[0].toUpperCase()}${field.name.slice(1)}`);
     if (field.type === 'const char*') {
       const count = at(`${singular(field.name)}Count`);
-      return { ...one, type: 'text', ...(count === undefined ? {} : { shape: 'counted', extra: count }) };
+      const shape = count !== undefined ? { shape: 'counted', extra: count } : flag !== undefined ? { shape: 'has', extra: flag } : {};
+      return { ...one, type: 'text', ...shape };
     }
     if (field.type.endsWith('*')) {
       const type = bare(field.type);
+      if (field.count && flag !== undefined) return { ...one, type, shape: 'given', extra: flag };
       return field.count ? { ...one, type, shape: 'list', extra: at(field.count) } : { ...one, type, shape: 'maybe' };
     }
     if (field.length) return { ...one, shape: 'fixed', extra: field.length };

@@ -42,6 +42,7 @@ export class TypeNames {
   /** What a field reads as. */
   field({ type, shape, extra }, mode) {
     if (shape === 'list') return this.list(type, mode);
+    if (shape === 'given') return `${this.list(type, mode)} | null`;
     if (shape === 'maybe' || shape === 'has') return `${this.one(type)} | null`;
     if (shape === 'fixed') return this.model.types.scalar(type) ? 'readonly number[]' : `readonly ${this.one(type)}[]`;
     return shape === 'body' ? `CommandBodies[CommandKind] /* ${extra} */` : this.one(type);
@@ -57,7 +58,7 @@ export class TypeNames {
 
   isOptional(struct, { type, shape }) {
     if (struct.maker || this.bodies.has(struct.type)) return true;
-    if (shape === 'list' || shape === 'maybe' || shape === 'has' || type === 'text') return true;
+    if (['list', 'maybe', 'has', 'given'].includes(shape) || type === 'text') return true;
     return this.model.types.scalar(type) === 'bool' || Boolean(this.structs.get(type)?.maker);
   }
 
@@ -75,6 +76,7 @@ export class TypeNames {
 
   givenField({ type, shape }) {
     if (shape === 'list') return this.givenList(type);
+    if (shape === 'given') return `${this.givenList(type)} | null`;
     if (shape === 'maybe' || shape === 'has') return `${this.givenOne(type)} | null`;
     if (shape === 'fixed') return `readonly ${this.givenOne(type)}[]`;
     return type === 'text' ? 'string | null' : this.givenOne(type);

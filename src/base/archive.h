@@ -27,7 +27,7 @@ template <class T>
 concept ArchiveScalar = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 
 /// Version of the commands and definitions that takes hold. Fields that came later are archived by since().
-inline constexpr std::uint32_t kArchiveVersion = 9;
+inline constexpr std::uint32_t kArchiveVersion = 10;
 
 /// Appends values to a byte vector.
 class Writer {

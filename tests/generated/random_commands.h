@@ -72,40 +72,42 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             return c;
         }
         case 8: {
-            SetFormation c;
+            ChangeGroup c;
             c.group = GroupId{draw.number()};
-            c.formation = randomFormationDef(draw);
+            if (draw.flag()) c.formation = randomFormationDef(draw);
+            if (draw.flag()) c.count = draw.whole(1, 200000);
+            if (draw.flag()) draw.list(c.people.emplace(), [&] { return randomPeopleDef(draw); });
+            if (draw.flag()) c.conduct = randomConduct(draw);
+            if (draw.flag()) draw.list(c.roles.emplace(), [&] { return randomRoleDef(draw); });
+            if (draw.flag()) draw.list(c.demands.emplace(), [&] { return draw.real(0, 1000); });
+            if (draw.flag()) c.name = draw.text();
+            if (draw.flag()) c.colour = randomGroupColour(draw);
+            if (draw.flag()) c.look = randomGroupLook(draw);
             draw.relate(c);
             return c;
         }
         case 9: {
-            SetCount c;
-            c.group = GroupId{draw.number()};
-            c.count = draw.whole(1, 200000);
-            draw.relate(c);
-            return c;
-        }
-        case 10: {
             SetPose c;
             c.group = GroupId{draw.number()};
             c.position = draw.place();
             c.angle = draw.real(-1e6, 1e6);
+            c.characters = draw.flag();
             draw.relate(c);
             return c;
         }
-        case 11: {
+        case 10: {
             AddGroup c;
             c.group = randomGroupDef(draw);
             draw.relate(c);
             return c;
         }
-        case 12: {
+        case 11: {
             RemoveGroup c;
             c.group = GroupId{draw.number()};
             draw.relate(c);
             return c;
         }
-        case 13: {
+        case 12: {
             PutThing c;
             c.id = draw.number();
             if (draw.flag()) c.obstacle = randomObstacleDef(draw);
@@ -117,21 +119,21 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             draw.relate(c);
             return c;
         }
-        case 14: {
+        case 13: {
             RemoveThing c;
             c.thing = draw.value<ThingKind>();
             c.id = draw.number();
             draw.relate(c);
             return c;
         }
-        case 15: {
+        case 14: {
             SetParameter c;
             c.name = draw.text();
             c.value = draw.real(-1e9, 1e9);
             draw.relate(c);
             return c;
         }
-        case 16: {
+        case 15: {
             GiveOrder c;
             c.group = GroupId{draw.number()};
             c.mode = draw.value<QueueMode>();
@@ -140,7 +142,7 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             draw.relate(c);
             return c;
         }
-        case 17: {
+        case 16: {
             EditQueue c;
             c.group = GroupId{draw.number()};
             c.edit = draw.value<QueueEdit>();
@@ -148,14 +150,7 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             draw.relate(c);
             return c;
         }
-        case 18: {
-            SetConduct c;
-            c.group = GroupId{draw.number()};
-            c.conduct = randomConduct(draw);
-            draw.relate(c);
-            return c;
-        }
-        case 19: {
+        case 17: {
             AddCharacters c;
             c.group = GroupId{draw.number()};
             draw.list(c.positions, [&] { return draw.place(); });
@@ -163,20 +158,14 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             draw.relate(c);
             return c;
         }
-        case 20: {
-            RemoveCharacters c;
-            c.ids = draw.ids();
-            draw.relate(c);
-            return c;
-        }
-        case 21: {
+        case 18: {
             TransferCharacters c;
             c.ids = draw.ids();
-            c.group = GroupId{draw.number()};
+            if (draw.flag()) c.group = GroupId{draw.number()};
             draw.relate(c);
             return c;
         }
-        case 22: {
+        case 19: {
             SplitGroup c;
             c.group = GroupId{draw.number()};
             c.by = draw.value<SplitBy>();
@@ -188,42 +177,22 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             draw.relate(c);
             return c;
         }
-        case 23: {
+        case 20: {
             MergeGroups c;
             draw.list(c.groups, [&] { return GroupId{draw.number()}; });
             c.shape = draw.value<PartShape>();
             draw.relate(c);
             return c;
         }
-        case 24: {
-            SetBodies c;
+        case 21: {
+            ChangeCharacters c;
             c.ids = draw.ids();
-            draw.list(c.bodies, [&] { return randomBody(draw); });
+            if (draw.flag()) draw.list(c.bodies.emplace(), [&] { return randomBody(draw); });
+            if (draw.flag()) c.driver = draw.value<Driver>();
             draw.relate(c);
             return c;
         }
-        case 25: {
-            SetRoles c;
-            c.group = GroupId{draw.number()};
-            draw.list(c.roles, [&] { return randomRoleDef(draw); });
-            draw.relate(c);
-            return c;
-        }
-        case 26: {
-            SetDemands c;
-            c.group = GroupId{draw.number()};
-            draw.list(c.demands, [&] { return draw.real(0, 1000); });
-            draw.relate(c);
-            return c;
-        }
-        case 27: {
-            SetDriver c;
-            c.ids = draw.ids();
-            c.driver = draw.value<Driver>();
-            draw.relate(c);
-            return c;
-        }
-        case 28: {
+        case 22: {
             WriteMotion c;
             c.ids = draw.ids();
             draw.list(c.positions, [&] { return draw.place(); });
@@ -231,44 +200,7 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             draw.relate(c);
             return c;
         }
-        case 29: {
-            PlaceGroup c;
-            c.group = GroupId{draw.number()};
-            c.position = draw.place();
-            c.angle = draw.real(-1e6, 1e6);
-            draw.relate(c);
-            return c;
-        }
-        case 30: {
-            NameGroup c;
-            c.group = GroupId{draw.number()};
-            c.name = draw.text();
-            draw.relate(c);
-            return c;
-        }
-        case 31: {
-            ColourGroup c;
-            c.group = GroupId{draw.number()};
-            if (draw.flag()) c.colour = draw.number() & 0xffffffu;
-            draw.relate(c);
-            return c;
-        }
-        case 32: {
-            SetAppearance c;
-            c.group = GroupId{draw.number()};
-            if (draw.flag()) c.build = draw.value<BodyBuild>();
-            if (draw.flag()) c.motions = draw.value<MotionSet>();
-            draw.relate(c);
-            return c;
-        }
-        case 33: {
-            SetPeople c;
-            c.group = GroupId{draw.number()};
-            draw.list(c.people, [&] { return randomPeopleDef(draw); });
-            draw.relate(c);
-            return c;
-        }
-        case 34: {
+        case 23: {
             ReverseQueue c;
             c.group = GroupId{draw.number()};
             draw.relate(c);

@@ -203,6 +203,19 @@ inline GroupDef randomGroupDef(DefinitionDraw& draw) {
     draw.relate(d);
     return d;
 }
+inline GroupColour randomGroupColour(DefinitionDraw& draw) {
+    GroupColour d;
+    if (draw.flag()) d.colour = draw.number() & 0xffffffu;
+    draw.relate(d);
+    return d;
+}
+inline GroupLook randomGroupLook(DefinitionDraw& draw) {
+    GroupLook d;
+    if (draw.flag()) d.build = draw.value<BodyBuild>();
+    if (draw.flag()) d.motions = draw.value<MotionSet>();
+    draw.relate(d);
+    return d;
+}
 inline FormationCheckpointDef randomCheckpointDef(DefinitionDraw& draw) {
     FormationCheckpointDef d;
     d.position = draw.place();

@@ -19,8 +19,8 @@ def recorded(tmp_path, scenarios):
     """A take that Python recorded, in which characters join and leave."""
     file = tmp_path / "ours.take"
     scenario = muster.Scenario.load(scenarios / "corridor.json")
-    scenario.commands.append(muster.Command(100, 1, 0, muster.SetCount(1, 40)))
-    scenario.commands.append(muster.Command(260, 1, 1, muster.RemoveCharacters([2, 3])))
+    scenario.commands.append(muster.Command(100, 1, 0, muster.ChangeGroup(1, count=40)))
+    scenario.commands.append(muster.Command(260, 1, 1, muster.TransferCharacters([2, 3])))
     return file, muster.play(scenario, seconds=7.0, take=file)
 
 

@@ -87,7 +87,7 @@ def test_views_of_arrays_that_are_gone_stay_readable() -> None:
     group_views = [world.groups[0].place_positions, world.groups[0].final_mesh]
     part = views[0][100:, 1]
     snapshot = world.snapshot()
-    world.submit(muster.SetCount(1, 2000))
+    world.submit(muster.ChangeGroup(1, count=2000))
     world.step()
     assert len(world.characters) == 2000 and len(views[0]) == 200
     assert _core.kept_blocks() > kept  # The arrays grew, and the old ones are looked at.
@@ -112,7 +112,7 @@ def test_many_views_and_many_worlds_leave_nothing_behind() -> None:
     for round in range(40):
         world = muster.World(walkers(1 + 37 * round % 90))
         for count in (5, 120, 2):
-            world.submit(muster.SetCount(1, count))
+            world.submit(muster.ChangeGroup(1, count=count))
             views.append(world.characters.position)
             world.step()
             views.append(world.groups[0].place_positions)

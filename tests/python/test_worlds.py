@@ -96,9 +96,9 @@ def test_a_group_that_has_ended_says_so() -> None:
 
 def test_commands_wait_for_their_step_and_are_numbered() -> None:
     world = muster.World(walkers(5))
-    first = world.submit(muster.SetCount(1, 8), step=3)
-    second = world.submit(muster.SetCount(1, 7), step=3)
-    other = world.submit(muster.SetCount(1, 9), step=5, client=4)
+    first = world.submit(muster.ChangeGroup(1, count=8), step=3)
+    second = world.submit(muster.ChangeGroup(1, count=7), step=3)
+    other = world.submit(muster.ChangeGroup(1, count=9), step=5, client=4)
     assert (first.step, first.sequence, second.sequence, other.sequence) == (3, 0, 1, 0)
     counts = []
     for _ in range(6):
@@ -106,7 +106,7 @@ def test_commands_wait_for_their_step_and_are_numbered() -> None:
         counts.append(len(world.characters))
     assert counts == [5, 5, 5, 7, 7, 9]
     with pytest.raises(muster.InvalidArgumentError, match="step"):
-        world.submit(muster.SetCount(1, 8), step=2)
+        world.submit(muster.ChangeGroup(1, count=8), step=2)
 
 
 def test_what_cannot_be_applied_is_found_in_the_rejections() -> None:
@@ -203,7 +203,7 @@ def test_areas_are_read_with_what_they_have_seen() -> None:
     assert not world.areas[0].definition.open
     assert world.areas[1].definition.kind == muster.AreaKind.WAITING
     assert not world.rejections
-    world.submit(muster.SetPeople(group=1, people=[muster.adults()]))
+    world.submit(muster.ChangeGroup(group=1, people=[muster.adults()]))
     world.step()
     assert world.groups[0].definition.people == [muster.adults()]
 

@@ -26,7 +26,7 @@ Datagram busyDatagram() {
     datagram.inputs[1] = {
         Command{1233, kPlayer, 7, muster::TouchDown{1, corner, 20.5, {2}}},
         Command{1233, kPlayer, 8, muster::GiveOrder{{2}, {}, 0, muster::Order::go(corner)}}};
-    datagram.inputs[4] = {Command{1236, kPlayer, 9, muster::RemoveCharacters{{3, 5, 8}}}};
+    datagram.inputs[4] = {Command{1236, kPlayer, 9, muster::TransferCharacters{{3, 5, 8}, {}}}};
     return datagram;
 }
 
@@ -58,7 +58,7 @@ TEST_CASE("a datagram comes back as it was written") {
     REQUIRE(read->inputs[1].size() == 2);
     CHECK(std::get<muster::TouchDown>(read->inputs[1][0].body).position == muster::Vec2{-1.5, 2.0});
     CHECK(read->inputs[1][1].sequence == 8);
-    CHECK(std::get<muster::RemoveCharacters>(read->inputs[4][0].body).ids ==
+    CHECK(std::get<muster::TransferCharacters>(read->inputs[4][0].body).ids ==
           std::vector<std::uint32_t>{3, 5, 8});
     CHECK(encode(*read) == bytes);
 }
@@ -66,7 +66,7 @@ TEST_CASE("a datagram comes back as it was written") {
 TEST_CASE("inputs that do not fit are left out, the latest first") {
     Datagram datagram;
     datagram.firstInput = 50;
-    muster::RemoveCharacters many;
+    muster::TransferCharacters many;
     for (std::uint32_t id = 1; id <= 100; ++id) many.ids.push_back(id);
     for (std::uint32_t step = 50; step < 60; ++step)
         datagram.inputs.push_back({Command{step, 0, step, many}});

@@ -85,6 +85,15 @@ public:
         p.reset();
         if (given) choice(c, p.emplace(), last, name);
     }
+    /// True where a value that may be left out is given, which is then read into `p`.
+    template <class B>
+    bool given(const bool& has, std::optional<B>& p) {
+        bool is = false;
+        plain(has, is);
+        p.reset();
+        if (is) p.emplace();
+        return is;
+    }
     template <class A, class Container>
     void list(const A* c, std::int32_t count, Container& p, const char* name) {
         using B = typename Container::value_type;
@@ -171,6 +180,11 @@ public:
     void optionalChoice(bool& has, std::uint8_t& c, const std::optional<Enum>& p, Enum, const char*) {
         has = p.has_value();
         c = static_cast<std::uint8_t>(p.value_or(Enum{}));
+    }
+    template <class B>
+    bool given(bool& has, const std::optional<B>& p) {
+        has = p.has_value();
+        return has;
     }
     template <class A, class Container>
     void list(const A*& c, std::int32_t& count, const Container& p, const char*) {

@@ -32,7 +32,9 @@ __all__ = [
     "Body",
     "BodyBuild",
     "Box",
+    "ChangeCharacters",
     "ChangeCheckpoint",
+    "ChangeGroup",
     "ChangeItem",
     "ChangeObstacle",
     "ChangePatch",
@@ -59,7 +61,9 @@ __all__ = [
     "FormationDef",
     "FormationKind",
     "GiveOrder",
+    "GroupColour",
     "GroupDef",
+    "GroupLook",
     "HashMark",
     "ItemDef",
     "Manner",
@@ -795,11 +799,11 @@ class Distribution:
 class PeopleDef:
     """One sort of persons in a group. What is constantly 0 is not drawn: it is that of GroupDef.bodies, or of the
         parameters where that is 0, too. Each new person of a group is drawn: those who are there when the group is
-        made, those whom SetCount or AddCharacters without bodies adds, and those who come by a source. Bodies that
-        AddCharacters or SetBodies give are as given. Of those who are there when the group is made so many are of
-        each sort as its share says, by largest remainders, at random ranks; who comes later is of a sort at random,
-        by its share. Each number depends on the seed of the world, the id of the person and which number it is, and
-        on nothing else.
+        made, those whom ChangeGroup or AddCharacters without bodies adds, and those who come by a source. Bodies that
+        AddCharacters or ChangeCharacters give are as given. Of those who are there when the group is made so many are
+        of each sort as its share says, by largest remainders, at random ranks; who comes later is of a sort at
+        random, by its share. Each number depends on the seed of the world, the id of the person and which number it
+        is, and on nothing else.
 
     Attributes:
         name: Name for display: "Women over 50".
@@ -1042,6 +1046,30 @@ class GroupDef:
 
 
 @dataclass(slots=True)
+class GroupColour:
+    """The colour of a group.
+
+    Attributes:
+        colour: Colour for display, 0xRRGGBB; none for the palette's.
+    """
+
+    colour: int | None = None
+
+
+@dataclass(slots=True)
+class GroupLook:
+    """How the people of a group look.
+
+    Attributes:
+        build: Build of its drawn bodies; none for both, by the character's id.
+        motions: How it walks and jogs; none for the plain manner.
+    """
+
+    build: BodyBuild | None = None
+    motions: MotionSet | None = None
+
+
+@dataclass(slots=True)
 class FormationCheckpointDef:
     """A disc that changes the formation of a group which passes it (SPEC M7).
 
@@ -1223,44 +1251,56 @@ class ReleaseClient:
 
 
 @dataclass(slots=True)
-class SetFormation:
-    """The group takes another formation.
+class ChangeGroup:
+    """Changes what a group is. What is not given stays as it is. First comes the formation with its number of places,
+        then the sorts of people, who joins or leaves, and all else. Where one of them cannot be, none is changed.
 
     Attributes:
         group: Group to change.
-        formation: Its new definition.
+        formation: Its formation; none for the one that it has.
+        count: Its number of characters: new ones join behind the mesh, those with the highest ids leave first; none
+            for the number that it has.
+        people: Its sorts of persons, empty where all are as GroupDef.bodies say. Persons who join it are drawn by
+            them from now on. Its present members are drawn again, as those who come at once: each number that neither
+            the sorts before nor these draw stays as it is. A person who has heard an order sets out when it was to;
+            none for the sorts that it has.
+        conduct: How it behaves; none for as it does.
+        roles: Which class stands where, in the order in which they choose places; none for the roles that it has.
+        demands: How many units of supply each place demands (SPEC A1), 0 to 1000, of each place, or empty for 1 each;
+            none for the demands that these have.
+        name: Its name, of at most 4,096 bytes; none for the one that it has.
+        colour: Its colour; none for the one that it has.
+        look: How its people look; none for as they do.
     """
 
     group: int = 0
-    formation: FormationDef = field(default_factory=FormationDef)
-
-
-@dataclass(slots=True)
-class SetCount:
-    """Changes the number of characters. New ones join behind the mesh; those with the highest ids leave first.
-
-    Attributes:
-        group: Group to change.
-        count: New number of characters.
-    """
-
-    group: int = 0
-    count: int = 0
+    formation: FormationDef | None = None
+    count: int | None = None
+    people: list[PeopleDef] | None = None
+    conduct: Conduct | None = None
+    roles: list[RoleDef] | None = None
+    demands: list[float] | None = None
+    name: str | None = None
+    colour: GroupColour | None = None
+    look: GroupLook | None = None
 
 
 @dataclass(slots=True)
 class SetPose:
-    """Moves the mesh at once; its places travel there.
+    """Moves the mesh of a group at once; its places and its characters walk there, or stand there at once. Its orders
+        and controls end.
 
     Attributes:
         group: Group to move.
         position: New centre of the mesh in the world [m].
         angle: New heading, counter-clockwise from +x [rad].
+        characters: True: its places and characters are there at once, and stand still.
     """
 
     group: int = 0
     position: Vec2 = (0.0, 0.0)
     angle: float = 0.0
+    characters: bool = False
 
 
 @dataclass(slots=True)
@@ -1368,19 +1408,6 @@ class EditQueue:
 
 
 @dataclass(slots=True)
-class SetConduct:
-    """Tells a group how to behave.
-
-    Attributes:
-        group: The group.
-        conduct: How it behaves.
-    """
-
-    group: int = 0
-    conduct: Conduct = field(default_factory=Conduct)
-
-
-@dataclass(slots=True)
 class AddCharacters:
     """Characters join a group where they stand; places are added to its formation. Events Joined tell their ids.
 
@@ -1396,23 +1423,13 @@ class AddCharacters:
 
 
 @dataclass(slots=True)
-class RemoveCharacters:
-    """Characters leave the world; the ranks behind them close up. A group may become empty, and stays.
-
-    Attributes:
-        ids: Their ids.
-    """
-
-    ids: list[int] = field(default_factory=list)
-
-
-@dataclass(slots=True)
 class TransferCharacters:
-    """Characters leave their groups for another one. Ids, positions and velocities stay.
+    """Characters leave their groups for another one, or leave the world. Ids, positions and velocities stay. The
+        ranks behind them close up; a group may become empty, and stays.
 
     Attributes:
         ids: Their ids.
-        group: Group that they join.
+        group: Group that they join; none to leave the world.
     """
 
     ids: list[int] = field(default_factory=list)
@@ -1457,55 +1474,18 @@ class MergeGroups:
 
 
 @dataclass(slots=True)
-class SetBodies:
-    """Gives characters other bodies.
+class ChangeCharacters:
+    """Changes what characters are. What is not given stays as it is.
 
     Attributes:
         ids: Their ids.
-        bodies: One for each, or one for all.
+        bodies: Their bodies, one for each or one for all; none for those that they have.
+        driver: What moves them; none for what moves them now.
     """
 
     ids: list[int] = field(default_factory=list)
-    bodies: list[Body] = field(default_factory=list)
-
-
-@dataclass(slots=True)
-class SetRoles:
-    """Says which class stands where in a formation.
-
-    Attributes:
-        group: The group.
-        roles: In the order in which they choose places; empty for none.
-    """
-
-    group: int = 0
-    roles: list[RoleDef] = field(default_factory=list)
-
-
-@dataclass(slots=True)
-class SetDemands:
-    """Says how many units of supply each place demands (SPEC A1).
-
-    Attributes:
-        group: The group.
-        demands: Of each place, 0 to 1000; empty for 1 each.
-    """
-
-    group: int = 0
-    demands: list[float] = field(default_factory=list)
-
-
-@dataclass(slots=True)
-class SetDriver:
-    """Says what moves characters.
-
-    Attributes:
-        ids: Their ids.
-        driver: What moves them.
-    """
-
-    ids: list[int] = field(default_factory=list)
-    driver: Driver = Driver.MUSTER
+    bodies: list[Body] | None = None
+    driver: Driver | None = None
 
 
 @dataclass(slots=True)
@@ -1521,78 +1501,6 @@ class WriteMotion:
     ids: list[int] = field(default_factory=list)
     positions: list[Vec2] = field(default_factory=list)
     velocities: list[Vec2] = field(default_factory=list)
-
-
-@dataclass(slots=True)
-class PlaceGroup:
-    """Puts a group elsewhere at once: its mesh, its places, and its characters, who stand still there. Its orders and
-        controls end. (SetPose moves the mesh alone, and characters walk.)
-
-    Attributes:
-        group: The group.
-        position: New centre of the formation [m].
-        angle: New heading, counter-clockwise from +x [rad].
-    """
-
-    group: int = 0
-    position: Vec2 = (0.0, 0.0)
-    angle: float = 0.0
-
-
-@dataclass(slots=True)
-class NameGroup:
-    """Gives a group another name.
-
-    Attributes:
-        group: The group.
-        name: At most 4,096 bytes.
-    """
-
-    group: int = 0
-    name: str = ""
-
-
-@dataclass(slots=True)
-class ColourGroup:
-    """Gives a group another colour.
-
-    Attributes:
-        group: The group.
-        colour: 0xRRGGBB; none for the palette's, by the group's id.
-    """
-
-    group: int = 0
-    colour: int | None = None
-
-
-@dataclass(slots=True)
-class SetAppearance:
-    """Gives the people of a group another appearance.
-
-    Attributes:
-        group: The group.
-        build: Build of its drawn bodies; none for both, by the character's id.
-        motions: How it walks and jogs; none for the plain manner.
-    """
-
-    group: int = 0
-    build: BodyBuild | None = None
-    motions: MotionSet | None = None
-
-
-@dataclass(slots=True)
-class SetPeople:
-    """Gives a group other sorts of persons. Persons who join it by number or by a source are drawn by them from now
-        on. Its present members are drawn again, as those who come at once: each number that neither the sorts before
-        nor these draw stays as it is. A person who has heard an order sets out when it was to.
-
-    Attributes:
-        group: The group.
-        people: Its sorts; none: all are as GroupDef.bodies say.
-    """
-
-    group: int = 0
-    people: list[PeopleDef] = field(default_factory=list)
 
 
 @dataclass(slots=True)
@@ -1777,6 +1685,180 @@ class RemoveArea:
 
 
 @dataclass(slots=True)
+class SetFormation:
+    """The group takes another formation.
+
+    Attributes:
+        group: Group to change.
+        formation: Its new definition.
+    """
+
+    group: int = 0
+    formation: FormationDef = field(default_factory=FormationDef)
+
+
+@dataclass(slots=True)
+class SetCount:
+    """Changes the number of characters. New ones join behind the mesh; those with the highest ids leave first.
+
+    Attributes:
+        group: Group to change.
+        count: New number of characters.
+    """
+
+    group: int = 0
+    count: int = 0
+
+
+@dataclass(slots=True)
+class SetConduct:
+    """Tells a group how to behave.
+
+    Attributes:
+        group: The group.
+        conduct: How it behaves.
+    """
+
+    group: int = 0
+    conduct: Conduct = field(default_factory=Conduct)
+
+
+@dataclass(slots=True)
+class RemoveCharacters:
+    """Characters leave the world; the ranks behind them close up. A group may become empty, and stays.
+
+    Attributes:
+        ids: Their ids.
+    """
+
+    ids: list[int] = field(default_factory=list)
+
+
+@dataclass(slots=True)
+class SetBodies:
+    """Gives characters other bodies.
+
+    Attributes:
+        ids: Their ids.
+        bodies: One for each, or one for all.
+    """
+
+    ids: list[int] = field(default_factory=list)
+    bodies: list[Body] = field(default_factory=list)
+
+
+@dataclass(slots=True)
+class SetRoles:
+    """Says which class stands where in a formation.
+
+    Attributes:
+        group: The group.
+        roles: In the order in which they choose places; empty for none.
+    """
+
+    group: int = 0
+    roles: list[RoleDef] = field(default_factory=list)
+
+
+@dataclass(slots=True)
+class SetDemands:
+    """Says how many units of supply each place demands (SPEC A1).
+
+    Attributes:
+        group: The group.
+        demands: Of each place, 0 to 1000; empty for 1 each.
+    """
+
+    group: int = 0
+    demands: list[float] = field(default_factory=list)
+
+
+@dataclass(slots=True)
+class SetDriver:
+    """Says what moves characters.
+
+    Attributes:
+        ids: Their ids.
+        driver: What moves them.
+    """
+
+    ids: list[int] = field(default_factory=list)
+    driver: Driver = Driver.MUSTER
+
+
+@dataclass(slots=True)
+class PlaceGroup:
+    """Puts a group elsewhere at once: its mesh, its places, and its characters, who stand still there. Its orders and
+        controls end. (SetPose moves the mesh alone, and characters walk.)
+
+    Attributes:
+        group: The group.
+        position: New centre of the formation [m].
+        angle: New heading, counter-clockwise from +x [rad].
+    """
+
+    group: int = 0
+    position: Vec2 = (0.0, 0.0)
+    angle: float = 0.0
+
+
+@dataclass(slots=True)
+class NameGroup:
+    """Gives a group another name.
+
+    Attributes:
+        group: The group.
+        name: At most 4,096 bytes.
+    """
+
+    group: int = 0
+    name: str = ""
+
+
+@dataclass(slots=True)
+class ColourGroup:
+    """Gives a group another colour.
+
+    Attributes:
+        group: The group.
+        colour: 0xRRGGBB; none for the palette's, by the group's id.
+    """
+
+    group: int = 0
+    colour: int | None = None
+
+
+@dataclass(slots=True)
+class SetAppearance:
+    """Gives the people of a group another appearance.
+
+    Attributes:
+        group: The group.
+        build: Build of its drawn bodies; none for both, by the character's id.
+        motions: How it walks and jogs; none for the plain manner.
+    """
+
+    group: int = 0
+    build: BodyBuild | None = None
+    motions: MotionSet | None = None
+
+
+@dataclass(slots=True)
+class SetPeople:
+    """Gives a group other sorts of persons. Persons who join it by number or by a source are drawn by them from now
+        on. Its present members are drawn again, as those who come at once: each number that neither the sorts before
+        nor these draw stays as it is. A person who has heard an order sets out when it was to.
+
+    Attributes:
+        group: The group.
+        people: Its sorts; none: all are as GroupDef.bodies say.
+    """
+
+    group: int = 0
+    people: list[PeopleDef] = field(default_factory=list)
+
+
+@dataclass(slots=True)
 class OrderForecast:
     """What would come of an order.
 
@@ -1802,8 +1884,7 @@ CommandBody = Union[
     PinControl,
     RemoveControl,
     ReleaseClient,
-    SetFormation,
-    SetCount,
+    ChangeGroup,
     SetPose,
     AddGroup,
     RemoveGroup,
@@ -1812,22 +1893,12 @@ CommandBody = Union[
     SetParameter,
     GiveOrder,
     EditQueue,
-    SetConduct,
     AddCharacters,
-    RemoveCharacters,
     TransferCharacters,
     SplitGroup,
     MergeGroups,
-    SetBodies,
-    SetRoles,
-    SetDemands,
-    SetDriver,
+    ChangeCharacters,
     WriteMotion,
-    PlaceGroup,
-    NameGroup,
-    ColourGroup,
-    SetAppearance,
-    SetPeople,
     ReverseQueue,
     AddObstacle,
     ChangeObstacle,
@@ -1843,6 +1914,19 @@ CommandBody = Union[
     RemoveCheckpoint,
     PutArea,
     RemoveArea,
+    SetFormation,
+    SetCount,
+    SetConduct,
+    RemoveCharacters,
+    SetBodies,
+    SetRoles,
+    SetDemands,
+    SetDriver,
+    PlaceGroup,
+    NameGroup,
+    ColourGroup,
+    SetAppearance,
+    SetPeople,
 ]
 
 

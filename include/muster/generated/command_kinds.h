@@ -110,38 +110,52 @@ struct ReleaseClient {
         archive(unused);
     }
 };
-/// The group takes another formation.
-struct SetFormation {
-    GroupId group;           ///< Group to change.
-    FormationDef formation;  ///< Its new definition.
+/// Changes what a group is. What is not given stays as it is. First comes the formation with its number of
+/// places, then the sorts of people, who joins or leaves, and all else. Where one of them cannot be, none is
+/// changed.
+struct ChangeGroup {
+    GroupId group;                                 ///< Group to change.
+    std::optional<FormationDef> formation;         ///< Its formation; none for the one that it has.
+    std::optional<std::int32_t> count;             ///< Its number of characters: new ones join behind the
+                                                   ///< mesh, those with the highest ids leave first; none for
+                                                   ///< the number that it has.
+    std::optional<std::vector<PeopleDef>> people;  ///< Its sorts of persons, empty where all are as
+                                                   ///< GroupDef::bodies say. Persons who join it are drawn by
+                                                   ///< them from now on. Its present members are drawn again,
+                                                   ///< as those who come at once: each number that neither
+                                                   ///< the sorts before nor these draw stays as it is. A
+                                                   ///< person who has heard an order sets out when it was to;
+                                                   ///< none for the sorts that it has.
+    std::optional<Conduct> conduct;                ///< How it behaves; none for as it does.
+    std::optional<std::vector<RoleDef>> roles;     ///< Which class stands where, in the order in which they
+                                                   ///< choose places; none for the roles that it has.
+    std::optional<std::vector<double>> demands;    ///< How many units of supply each place demands (SPEC A1),
+                                                   ///< 0 to 1000, of each place, or empty for 1 each; none
+                                                   ///< for the demands that these have.
+    std::optional<std::string> name;               ///< Its name, of at most 4,096 bytes; none for the one
+                                                   ///< that it has.
+    std::optional<GroupColour> colour;             ///< Its colour; none for the one that it has.
+    std::optional<GroupLook> look;                 ///< How its people look; none for as they do.
 
     /// Lets an archive read or write the command.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(group, formation);
+        archive(group, formation, count, people, conduct, roles, demands, name, colour, look);
     }
 };
-/// Changes the number of characters. New ones join behind the mesh; those with the highest ids leave first.
-struct SetCount {
-    GroupId group;           ///< Group to change.
-    std::int32_t count = 0;  ///< New number of characters.
-
-    /// Lets an archive read or write the command.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(group, count);
-    }
-};
-/// Moves the mesh at once; its places travel there.
+/// Moves the mesh of a group at once; its places and its characters walk there, or stand there at once. Its
+/// orders and controls end.
 struct SetPose {
-    GroupId group;       ///< Group to move.
-    Vec2 position;       ///< New centre of the mesh in the world [m].
-    double angle = 0.0;  ///< New heading, counter-clockwise from +x [rad].
+    GroupId group;            ///< Group to move.
+    Vec2 position;            ///< New centre of the mesh in the world [m].
+    double angle = 0.0;       ///< New heading, counter-clockwise from +x [rad].
+    bool characters = false;  ///< True: its places and characters are there at once, and stand still.
 
     /// Lets an archive read or write the command.
     template <class Archive>
     void visit(Archive& archive) {
         archive(group, position, angle);
+        archive.since(10, characters);
     }
 };
 /// Adds a group.
@@ -233,17 +247,6 @@ struct EditQueue {
         archive(group, edit, order);
     }
 };
-/// Tells a group how to behave.
-struct SetConduct {
-    GroupId group;    ///< The group.
-    Conduct conduct;  ///< How it behaves.
-
-    /// Lets an archive read or write the command.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(group, conduct);
-    }
-};
 /// Characters join a group where they stand; places are added to its formation. Events Joined tell their ids.
 struct AddCharacters {
     GroupId group;                ///< Group that they join.
@@ -256,20 +259,11 @@ struct AddCharacters {
         archive(group, positions, bodies);
     }
 };
-/// Characters leave the world; the ranks behind them close up. A group may become empty, and stays.
-struct RemoveCharacters {
-    std::vector<std::uint32_t> ids;  ///< Their ids.
-
-    /// Lets an archive read or write the command.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(ids);
-    }
-};
-/// Characters leave their groups for another one. Ids, positions and velocities stay.
+/// Characters leave their groups for another one, or leave the world. Ids, positions and velocities stay. The
+/// ranks behind them close up; a group may become empty, and stays.
 struct TransferCharacters {
     std::vector<std::uint32_t> ids;  ///< Their ids.
-    GroupId group;                   ///< Group that they join.
+    GroupId group;                   ///< Group that they join; none to leave the world.
 
     /// Lets an archive read or write the command.
     template <class Archive>
@@ -308,48 +302,17 @@ struct MergeGroups {
         archive(groups, shape);
     }
 };
-/// Gives characters other bodies.
-struct SetBodies {
-    std::vector<std::uint32_t> ids;  ///< Their ids.
-    std::vector<Body> bodies;        ///< One for each, or one for all.
+/// Changes what characters are. What is not given stays as it is.
+struct ChangeCharacters {
+    std::vector<std::uint32_t> ids;           ///< Their ids.
+    std::optional<std::vector<Body>> bodies;  ///< Their bodies, one for each or one for all; none for those
+                                              ///< that they have.
+    std::optional<Driver> driver;             ///< What moves them; none for what moves them now.
 
     /// Lets an archive read or write the command.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(ids, bodies);
-    }
-};
-/// Says which class stands where in a formation.
-struct SetRoles {
-    GroupId group;               ///< The group.
-    std::vector<RoleDef> roles;  ///< In the order in which they choose places; empty for none.
-
-    /// Lets an archive read or write the command.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(group, roles);
-    }
-};
-/// Says how many units of supply each place demands (SPEC A1).
-struct SetDemands {
-    GroupId group;                ///< The group.
-    std::vector<double> demands;  ///< Of each place, 0 to 1000; empty for 1 each.
-
-    /// Lets an archive read or write the command.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(group, demands);
-    }
-};
-/// Says what moves characters.
-struct SetDriver {
-    std::vector<std::uint32_t> ids;  ///< Their ids.
-    Driver driver = Driver::Muster;  ///< What moves them.
-
-    /// Lets an archive read or write the command.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(ids, driver);
+        archive(ids, bodies, driver);
     }
 };
 /// Where characters that are moved from outside are after this step.
@@ -363,66 +326,6 @@ struct WriteMotion {
     template <class Archive>
     void visit(Archive& archive) {
         archive(ids, positions, velocities);
-    }
-};
-/// Puts a group elsewhere at once: its mesh, its places, and its characters, who stand still there. Its
-/// orders and controls end. (SetPose moves the mesh alone, and characters walk.)
-struct PlaceGroup {
-    GroupId group;       ///< The group.
-    Vec2 position;       ///< New centre of the formation [m].
-    double angle = 0.0;  ///< New heading, counter-clockwise from +x [rad].
-
-    /// Lets an archive read or write the command.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(group, position, angle);
-    }
-};
-/// Gives a group another name.
-struct NameGroup {
-    GroupId group;     ///< The group.
-    std::string name;  ///< At most 4,096 bytes.
-
-    /// Lets an archive read or write the command.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(group, name);
-    }
-};
-/// Gives a group another colour.
-struct ColourGroup {
-    GroupId group;                        ///< The group.
-    std::optional<std::uint32_t> colour;  ///< 0xRRGGBB; none for the palette's, by the group's id.
-
-    /// Lets an archive read or write the command.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(group, colour);
-    }
-};
-/// Gives the people of a group another appearance.
-struct SetAppearance {
-    GroupId group;                     ///< The group.
-    std::optional<BodyBuild> build;    ///< Build of its drawn bodies; none for both, by the character's id.
-    std::optional<MotionSet> motions;  ///< How it walks and jogs; none for the plain manner.
-
-    /// Lets an archive read or write the command.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(group, build, motions);
-    }
-};
-/// Gives a group other sorts of persons. Persons who join it by number or by a source are drawn by them from
-/// now on. Its present members are drawn again, as those who come at once: each number that neither the sorts
-/// before nor these draw stays as it is. A person who has heard an order sets out when it was to.
-struct SetPeople {
-    GroupId group;                  ///< The group.
-    std::vector<PeopleDef> people;  ///< Its sorts; none: all are as GroupDef::bodies say.
-
-    /// Lets an archive read or write the command.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(group, people);
     }
 };
 /// Reverses the orders of a group's queue: the last one begins, and what is under way comes last.
@@ -440,10 +343,8 @@ struct ReverseQueue {
 // clang-format off
 using CommandKinds = std::variant<
     TouchDown, TouchMove, TouchUp, TouchCancel, AddControl, PinControl, RemoveControl, ReleaseClient,
-    SetFormation, SetCount, SetPose, AddGroup, RemoveGroup, PutThing, RemoveThing, SetParameter, GiveOrder,
-    EditQueue, SetConduct, AddCharacters, RemoveCharacters, TransferCharacters, SplitGroup, MergeGroups,
-    SetBodies, SetRoles, SetDemands, SetDriver, WriteMotion, PlaceGroup, NameGroup, ColourGroup,
-    SetAppearance, SetPeople, ReverseQueue>;
+    ChangeGroup, SetPose, AddGroup, RemoveGroup, PutThing, RemoveThing, SetParameter, GiveOrder, EditQueue,
+    AddCharacters, TransferCharacters, SplitGroup, MergeGroups, ChangeCharacters, WriteMotion, ReverseQueue>;
 // clang-format on
 
 }  // namespace muster

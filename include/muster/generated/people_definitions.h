@@ -84,11 +84,12 @@ struct Distribution {
 /// One sort of persons in a group. What is constantly 0 is not drawn: it is that of GroupDef::bodies, or of
 /// the parameters where that is 0, too.
 ///
-/// Each new person of a group is drawn: those who are there when the group is made, those whom SetCount or
-/// AddCharacters without bodies adds, and those who come by a source. Bodies that AddCharacters or SetBodies
-/// give are as given. Of those who are there when the group is made so many are of each sort as its share
-/// says, by largest remainders, at random ranks; who comes later is of a sort at random, by its share. Each
-/// number depends on the seed of the world, the id of the person and which number it is, and on nothing else.
+/// Each new person of a group is drawn: those who are there when the group is made, those whom ChangeGroup or
+/// AddCharacters without bodies adds, and those who come by a source. Bodies that AddCharacters or
+/// ChangeCharacters give are as given. Of those who are there when the group is made so many are of each sort
+/// as its share says, by largest remainders, at random ranks; who comes later is of a sort at random, by its
+/// share. Each number depends on the seed of the world, the id of the person and which number it is, and on
+/// nothing else.
 struct PeopleDef {
     std::string name;            ///< Name for display: "Women over 50".
     double share = 1.0;          ///< Share of the group, above 0; shares are divided by their sum.

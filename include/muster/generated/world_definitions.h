@@ -57,6 +57,33 @@ struct GroupDef {
     }
 };
 
+/// The colour of a group.
+struct GroupColour {
+    std::optional<std::uint32_t> colour;  ///< Colour for display, 0xRRGGBB; none for the palette's.
+
+    /// Lets an archive read or write it.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(colour);
+    }
+    /// Equal in all parts.
+    friend bool operator==(const GroupColour&, const GroupColour&) = default;
+};
+
+/// How the people of a group look.
+struct GroupLook {
+    std::optional<BodyBuild> build;    ///< Build of its drawn bodies; none for both, by the character's id.
+    std::optional<MotionSet> motions;  ///< How it walks and jogs; none for the plain manner.
+
+    /// Lets an archive read or write it.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(build, motions);
+    }
+    /// Equal in all parts.
+    friend bool operator==(const GroupLook&, const GroupLook&) = default;
+};
+
 /// A disc that changes the formation of a group which passes it (SPEC M7).
 struct FormationCheckpointDef {
     Vec2 position;                                         ///< Centre [m].

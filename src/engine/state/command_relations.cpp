@@ -16,6 +16,10 @@ Status differInNumber(const char* fields) {
     return invalidArgument(std::string(fields) + " differ in number");
 }
 
+Status nothingGiven() {
+    return invalidArgument("found nothing that it changes, expected one field or more");
+}
+
 }  // namespace
 
 Status place(const char* field, Vec2 p) {
@@ -107,12 +111,16 @@ Status relations(const MergeGroups& c) {
     return {};
 }
 
-Status relations(const SetBodies& c) {
-    return validateBodies(c.bodies, c.ids.size(), false);
+Status relations(const ChangeCharacters& c) {
+    if (!c.bodies && !c.driver) return nothingGiven();
+    return c.bodies ? validateBodies(*c.bodies, c.ids.size(), false) : Status();
 }
 
-Status relations(const SetDemands& c) {
-    return validateDemands(c.demands);
+Status relations(const ChangeGroup& c) {
+    if (!c.formation && !c.count && !c.people && !c.conduct && !c.roles && !c.demands && !c.name &&
+        !c.colour && !c.look)
+        return nothingGiven();
+    return c.demands ? validateDemands(*c.demands) : Status();
 }
 
 Status relations(const WriteMotion& c) {

@@ -46,4 +46,44 @@ CommandBody converted(const RemoveArea& c) {
     return removeThing(c.id);
 }
 
+CommandBody converted(const SetFormation& c) {
+    return ChangeGroup{.group = c.group, .formation = c.formation};
+}
+CommandBody converted(const SetCount& c) {
+    return ChangeGroup{.group = c.group, .count = c.count};
+}
+CommandBody converted(const SetConduct& c) {
+    return ChangeGroup{.group = c.group, .conduct = c.conduct};
+}
+CommandBody converted(const SetRoles& c) {
+    return ChangeGroup{.group = c.group, .roles = c.roles};
+}
+CommandBody converted(const SetDemands& c) {
+    return ChangeGroup{.group = c.group, .demands = c.demands};
+}
+CommandBody converted(const SetPeople& c) {
+    return ChangeGroup{.group = c.group, .people = c.people};
+}
+CommandBody converted(const NameGroup& c) {
+    return ChangeGroup{.group = c.group, .name = c.name};
+}
+CommandBody converted(const ColourGroup& c) {
+    return ChangeGroup{.group = c.group, .colour = GroupColour{c.colour}};
+}
+CommandBody converted(const SetAppearance& c) {
+    return ChangeGroup{.group = c.group, .look = GroupLook{c.build, c.motions}};
+}
+CommandBody converted(const RemoveCharacters& c) {
+    return TransferCharacters{c.ids, {}};
+}
+CommandBody converted(const SetBodies& c) {
+    return ChangeCharacters{c.ids, c.bodies, {}};
+}
+CommandBody converted(const SetDriver& c) {
+    return ChangeCharacters{c.ids, {}, c.driver};
+}
+CommandBody converted(const PlaceGroup& c) {
+    return SetPose{c.group, c.position, c.angle, true};
+}
+
 }  // namespace muster

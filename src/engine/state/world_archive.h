@@ -30,7 +30,7 @@ Status checkState(WorldState& state);
 void keepCaches(WorldState& earlier, WorldState& later);
 
 /// Version of the state's format. It grows with every change of what archives hold.
-inline constexpr std::uint32_t kSnapshotVersion = 20;
+inline constexpr std::uint32_t kSnapshotVersion = 21;
 
 /// Bytes before the state.
 inline constexpr std::size_t kSnapshotHeadBytes = 28;

@@ -171,8 +171,8 @@ void describeDrawn(FieldReader& v, const char* key, Distribution& drawn, const c
 void describeDrawn(FieldWriter& v, const char* key, Distribution& drawn, const char* unit, const char* about);
 void describeDrawn(FieldSchema& v, const char* key, Distribution& drawn, const char* unit, const char* about);
 
-void describePeople(FieldReader& v, std::vector<PeopleDef>& people);
-void describePeople(FieldWriter& v, std::vector<PeopleDef>& people);
-void describePeople(FieldSchema& v, std::vector<PeopleDef>& people);
+void describePeople(FieldReader& v, std::vector<PeopleDef>& people, Need need);
+void describePeople(FieldWriter& v, std::vector<PeopleDef>& people, Need need);
+void describePeople(FieldSchema& v, std::vector<PeopleDef>& people, Need need);
 
 }  // namespace muster

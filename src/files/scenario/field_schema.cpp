@@ -28,7 +28,7 @@ Json FieldSchema::itemSchema(const NumberRange& range, bool whole) {
     return {{"type", "number"}, {"minimum", range.minimum}, {"maximum", range.maximum}};
 }
 
-void FieldSchema::set(std::string_view key, Json schema, std::string_view about, Need need) {
+void FieldSchema::set(std::string_view key, const Json& schema, std::string_view about, Need need) {
     Json entry = {{"description", std::string(about)}};
     for (const auto& [name, value] : schema.members()) entry[name] = value;
     (*schema_)["properties"][key] = std::move(entry);
@@ -61,7 +61,7 @@ void FieldSchema::number(std::string_view key, double value, const NumberRange& 
 
 void FieldSchema::optionalNumber(std::string_view key, double, const NumberRange& range, const char* about) {
     number(key, 0.0, range, about);
-    (*schema_)["properties"][key].erase("default");
+    eraseDefault(key);
 }
 
 void FieldSchema::flag(std::string_view key, bool value, const char* about) {

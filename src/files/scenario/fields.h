@@ -210,11 +210,11 @@ public:
         set(key, std::move(array));
     }
     template <class Describe>
-    bool object(std::string_view key, const char*, Describe describe, Need = Need::Optional) {
+    bool object(std::string_view key, const char*, Describe describe, Need need = Need::Optional) {
         Json inner;
         FieldWriter child(inner);
         describe(child);
-        if (!inner.empty()) set(key, std::move(inner));
+        if (!inner.empty() || need == Need::Required) set(key, std::move(inner));
         return true;
     }
     template <class Describe>
@@ -303,9 +303,11 @@ public:
         return true;
     }
     bool failed() const { return false; }  ///< Writing cannot fail.
+    /// A key that is left out stands for no value.
+    void eraseDefault(std::string_view key) { (*schema_)["properties"][key].erase("default"); }
 
     /// Sets the schema of a key directly.
-    void set(std::string_view key, Json schema, std::string_view about, Need need);
+    void set(std::string_view key, const Json& schema, std::string_view about, Need need);
 
 private:
     static Json itemSchema(const NumberRange& range, bool whole);

@@ -43,18 +43,22 @@ std::uint32_t stepAt(double time, double stepTime) {
     return static_cast<std::uint32_t>(std::min(4e9, std::floor(time / stepTime + 1e-9)));
 }
 
-/// Makes the command that a kind stands for. Fingers move, and groups are ordered to; characters leave, and
-/// groups are ordered to.
+/// Makes the command that a kind stands for. Fingers move, and groups are ordered to.
 void makeBody(FieldReader& v, CommandBody& body, const std::string& kind) {
     const auto order = indexOfWord(kOrderKindWords, kind);
     const bool moves = kind == kOrderKindWords.front();
     if (moves && !v.has("touch") && !v.has("group"))
         return v.fail({}, "neither \"touch\" nor \"group\"", "a finger or a group to move");
-    const bool named = kind == kLeave && v.has("ids");
-    if (order && !(moves && v.has("touch")) && !named)
+    if (order && !(moves && v.has("touch")))
         body.emplace<GiveOrder>().order.kind = static_cast<OrderKind>(*order);
     else
         emplaceIndex<CommandKinds>(body, *indexOfWord(kCommandWords, kind));
+}
+
+/// The former command that a kind stands for; none for others. Groups are ordered to leave, and characters
+/// did.
+std::optional<std::size_t> formerKind(const FieldReader& v, const std::string& kind) {
+    return kind == kLeave && !v.has("ids") ? std::nullopt : indexOfWord(kFormerWords, kind);
 }
 
 /// Reads the fields of a command by a name that it had, as the command that says the same.
@@ -72,7 +76,7 @@ std::vector<std::string> allKinds() {
     for (std::size_t index = 0; index < kCommandWords.size(); ++index)
         if (index != CommandBody(GiveOrder{}).index()) kinds.emplace_back(kCommandWords[index]);
     for (const char* const kind : kFormerWords) kinds.emplace_back(kind);
-    for (const std::string kind : kOrderKindWords)  // Fingers move, too, and characters leave.
+    for (const std::string kind : kOrderKindWords)  // Fingers move, too, and characters left.
         if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
     return kinds;
 }
@@ -94,7 +98,7 @@ void describeEvent(Visitor& v, Event& event, double stepTime, Need timed) {
     if (takesPart<Visitor>(command.step != stepAt(event.time, stepTime)))
         v.whole("step", command.step, kId, "Step at which it applies; left out: by its time.");
     if constexpr (Visitor::kReading) {
-        if (const auto index = indexOfWord(kFormerWords, kind)) {
+        if (const auto index = formerKind(v, kind)) {
             command.body = readFormer(v, *index, event.time);
             return;
         }

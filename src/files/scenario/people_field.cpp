@@ -48,7 +48,7 @@ void describeDrawn(FieldSchema& v, const char* key, Distribution&, const char* u
           std::string(about) + " 0 stands for the parameter's. [" + unit + "]", Need::Optional);
 }
 
-void describePeople(FieldReader& v, std::vector<PeopleDef>& people) {
+void describePeople(FieldReader& v, std::vector<PeopleDef>& people, Need) {
     const Json* found = v.find("people");
     if (found == nullptr) return;
     const bool list = found->isArray();
@@ -67,13 +67,14 @@ void describePeople(FieldReader& v, std::vector<PeopleDef>& people) {
     }
 }
 
-void describePeople(FieldWriter& v, std::vector<PeopleDef>& people) {
+void describePeople(FieldWriter& v, std::vector<PeopleDef>& people, Need need) {
     if (people.size() == 1 && people.front() == adults()) return v.set("people", kAdultsWord);
-    v.list("people", people, kMaxSorts, kPeople,
-           [](FieldWriter& item, PeopleDef& sort) { describe(item, sort); });
+    v.list(
+        "people", people, kMaxSorts, kPeople,
+        [](FieldWriter& item, PeopleDef& sort) { describe(item, sort); }, need);
 }
 
-void describePeople(FieldSchema& v, std::vector<PeopleDef>&) {
+void describePeople(FieldSchema& v, std::vector<PeopleDef>&, Need) {
     Json sort;
     FieldSchema inner(sort);
     PeopleDef none;

@@ -54,7 +54,7 @@ Status Replayer::putCharacters(World& world) {
         return world.submit({world.stepCount(), kFramesClient, sequence++, std::move(body)});
     };
     if (!fresh.empty())
-        if (Status s = give(SetDriver{std::move(fresh), Driver::Outside}); !s.ok()) return s;
+        if (Status s = give(ChangeCharacters{std::move(fresh), {}, Driver::Outside}); !s.ok()) return s;
     return put.ids.empty() ? Status() : give(std::move(put));
 }
 

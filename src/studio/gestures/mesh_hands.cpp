@@ -128,9 +128,9 @@ void MeshHands::spread(const Finger& moved, const World& world, std::vector<Comm
     if (distance(middle, middleOf(world, index)) > kWidenReach) return;
     const std::int32_t files = filesFor(def, pose, moved.at - other.at, moved.from - other.from);
     if (files <= 0) return;
-    SetFormation set{moved.group, def.formation};
-    set.formation.files = files;
-    commands.emplace_back(std::move(set));
+    ChangeGroup change{.group = moved.group, .formation = def.formation};
+    change.formation->files = files;
+    commands.emplace_back(std::move(change));
     commands.emplace_back(TouchCancel{moved.touch});  // The line ends as a whole.
     for (Finger& finger : fingers_) {
         if (finger.group != moved.group) continue;

@@ -109,10 +109,11 @@ void TouchScheme::tapped(const PointerEvent& event, GroupId group, const World& 
 void TouchScheme::squareAgain(GroupId group, const World& world, std::vector<CommandBody>& commands) const {
     const std::int32_t index = groupIndex(world, group);
     if (!def_.shapes || index < 0) return;
-    SetFormation set{group, world.groupDef(static_cast<std::size_t>(index)).formation};
-    set.formation.kind = FormationKind::Square;
-    set.formation.files = 0;
-    commands.emplace_back(std::move(set));
+    ChangeGroup change{.group = group,
+                       .formation = world.groupDef(static_cast<std::size_t>(index)).formation};
+    change.formation->kind = FormationKind::Square;
+    change.formation->files = 0;
+    commands.emplace_back(std::move(change));
 }
 
 void TouchScheme::call(Vec2 screen, const World& world, std::vector<CommandBody>& commands) {

@@ -67,15 +67,38 @@ TEST_SUITE("commands in C") {
     }
 
     TEST_CASE("the members of the union by their names have the numbers of their kinds") {
-        MusterCommand command = muster_default_command(MUSTER_COMMAND_PLACE_GROUP);
-        command.body.placeGroup.group = 3;
-        command.body.placeGroup.position = {1.5, 2.5};
-        command.body.placeGroup.angle = 0.25;
-        const Command expected{0, 0, 0, PlaceGroup{{3}, {1.5, 2.5}, 0.25}};
+        MusterCommand command = muster_default_command(MUSTER_COMMAND_SET_POSE);
+        command.body.setPose.group = 3;
+        command.body.setPose.position = {1.5, 2.5};
+        command.body.setPose.angle = 0.25;
+        command.body.setPose.characters = true;
+        const Command expected{0, 0, 0, SetPose{{3}, {1.5, 2.5}, 0.25, true}};
         MusterBuffer bytes{};
         REQUIRE(muster_command_encode(&command, &bytes) == MUSTER_OK);
         CHECK(std::vector<std::uint8_t>(bytes.data, bytes.data + bytes.size) == encodeCommand(expected));
         muster_free_buffer(&bytes);
-        CHECK(std::string(muster_command_name(MUSTER_COMMAND_COLOUR_GROUP)) == "ColourGroup");
+        CHECK(std::string(muster_command_name(MUSTER_COMMAND_CHANGE_GROUP)) == "ChangeGroup");
+    }
+
+    TEST_CASE("what a change of a group does not give is none, and an empty list is one") {
+        MusterCommand command = muster_default_command(MUSTER_COMMAND_CHANGE_GROUP);
+        CHECK(muster_command_validate(&command) == MUSTER_INVALID_ARGUMENT);
+        const double demands[] = {1.0, 0.5};
+        command.body.changeGroup.group = 3;
+        command.body.changeGroup.hasDemands = true;
+        command.body.changeGroup.demands = demands;
+        command.body.changeGroup.demandCount = 2;
+        command.body.changeGroup.hasRoles = true;
+        command.body.changeGroup.hasName = true;
+        command.body.changeGroup.name = "Van";
+        const ChangeGroup change{.group = {3},
+                                 .roles = std::vector<RoleDef>(),
+                                 .demands = std::vector<double>{1.0, 0.5},
+                                 .name = "Van"};
+        MusterBuffer bytes{};
+        REQUIRE(muster_command_encode(&command, &bytes) == MUSTER_OK);
+        CHECK(std::vector<std::uint8_t>(bytes.data, bytes.data + bytes.size) ==
+              encodeCommand({0, 0, 0, change}));
+        muster_free_buffer(&bytes);
     }
 }

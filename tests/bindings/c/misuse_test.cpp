@@ -110,10 +110,12 @@ TEST_SUITE("misuse of the C API") {
         def.groups = nullptr;
         CHECK(muster_world_create(&def, 1, &world) == MUSTER_INVALID_ARGUMENT);
         CHECK(lastError() == "def: groups: found null for 3 entries, expected a pointer");
-        MusterCommand command = muster_default_command(MUSTER_COMMAND_SET_FORMATION);
-        command.body.setFormation.formation.kind = 200;
+        MusterCommand command = muster_default_command(MUSTER_COMMAND_CHANGE_GROUP);
+        MusterFormationDef formation = muster_default_formation_def();
+        formation.kind = 200;
+        command.body.changeGroup.formation = &formation;
         CHECK(muster_command_validate(&command) == MUSTER_INVALID_ARGUMENT);
-        CHECK(lastError() == "command: SetFormation: formation: kind: found 200, expected 0 to 9");
+        CHECK(lastError() == "command: ChangeGroup: formation: kind: found 200, expected 0 to 9");
         command.kind = MUSTER_COMMAND_COUNT;
         CHECK(muster_command_validate(&command) == MUSTER_INVALID_ARGUMENT);
         const int kinds = MUSTER_COMMAND_COUNT;
@@ -145,7 +147,7 @@ TEST_SUITE("misuse of the C API") {
         CHECK(both.submit({1, 1, 0, TouchDown{1, {nan, 0}, 0.0, {}}}) == MUSTER_INVALID_ARGUMENT);
         CHECK(both.submit({0, 1, 1, TouchUp{1, 0.0}}) == MUSTER_INVALID_ARGUMENT);
         CHECK(both.submit({1, 1, 2, SetParameter{"no.such", 1.0}}) != MUSTER_OK);
-        CHECK(both.submit({1, 1, 3, SetCount{{1}, 0}}) == MUSTER_INVALID_ARGUMENT);
+        CHECK(both.submit({1, 1, 3, ChangeGroup{.group = {1}, .count = 0}}) == MUSTER_INVALID_ARGUMENT);
         WorldDef bad = makeDef();
         bad.groups[1].formation.spacing = -1.0;
         c_api::Arena arena;

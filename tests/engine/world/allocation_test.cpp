@@ -42,7 +42,7 @@ TEST_CASE("60 steps of a standing crowd of several bodies, stances and drivers a
     def.groups[0].conduct.stance = Stance::Hold;
     def.groups[1].conduct.cohesion = 0.7;
     World world = World::create(def).value();
-    REQUIRE(world.submit({0, 1, 0, SetDriver{{3}, Driver::Outside}}).ok());
+    REQUIRE(world.submit({0, 1, 0, ChangeCharacters{{3}, {}, Driver::Outside}}).ok());
     CHECK(allocationsOf(world) == 0);
 }
 

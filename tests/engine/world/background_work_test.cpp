@@ -33,8 +33,8 @@ int pendingPlans(const World& world) {
 // What a program may do between two steps, while plans are pending.
 void disturb(World& world, int step) {
     const std::vector<CommandBody> bodies = {
-        SetCount{world.group(0).id, 150 + step},
-        SetFormation{world.group(0).id, {}},
+        ChangeGroup{.group = world.group(0).id, .count = 150 + step},
+        ChangeGroup{.group = world.group(0).id, .formation = FormationDef{}},
         putThing(tree({-4.0 + 0.1 * step, 4}, 0.5)),
         SetParameter{"plan.solver", static_cast<double>(PlanSolver::Exact)},
         SetParameter{"plan.solver", static_cast<double>(PlanSolver::Fast)},

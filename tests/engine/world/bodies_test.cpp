@@ -64,16 +64,17 @@ void giveAny(Played& played, Random& random) {
     const Vec2 anywhere{random.uniform(-14, 14), random.uniform(-14, 14)};
     switch (random.below(6)) {
         case 0:
-            return played.give(SetBodies{{id}, {body}});
+            return played.give(ChangeCharacters{{id}, std::vector<Body>{body}, {}});
         case 1:
-            return played.give(SetBodies{{id}, {Body{}}});
+            return played.give(ChangeCharacters{{id}, std::vector<Body>{Body{}}, {}});
         case 2:
-            return played.give(SetDriver{{id}, random.below(2) != 0 ? Driver::Outside : Driver::Muster});
+            return played.give(
+                ChangeCharacters{{id}, {}, random.below(2) != 0 ? Driver::Outside : Driver::Muster});
         case 3:
-            played.give(SetDriver{{id}, Driver::Outside});
+            played.give(ChangeCharacters{{id}, {}, Driver::Outside});
             return played.give(WriteMotion{{id}, {anywhere}, {}});
         case 4:
-            return played.give(SetConduct{group, conduct});
+            return played.give(ChangeGroup{.group = group, .conduct = conduct});
         default:
             return played.give(SetPose{group, anywhere * 0.6, random.uniform(-3, 3)});
     }
@@ -186,7 +187,7 @@ TEST_CASE("who is given another body has it from then on; bad bodies and unknown
     Played played(openFloor(9));
     Body big = ofRadius(0.5);
     big.maxSpeed = 1.0;
-    played.give(SetBodies{{1, 5}, {big}});
+    played.give(ChangeCharacters{{1, 5}, std::vector<Body>{big}, {}});
     played.run(3.0);
     const CharactersView c = played.world.characters();
     CHECK(c.body[0] == big);
@@ -195,8 +196,13 @@ TEST_CASE("who is given another body has it from then on; bad bodies and unknown
     for (std::size_t i = 1; i < c.size(); ++i)
         if (i != 4) CHECK(distance(c.position[0], c.position[i]) > 0.75 * 0.9);
     Body bad{.mass = 0.0};
-    CHECK(!played.world.submit({played.world.stepCount(), 1, 90, SetBodies{{1}, {bad}}}).ok());
-    REQUIRE(played.world.submit({played.world.stepCount(), 1, 91, SetBodies{{1, 77}, {big}}}).ok());
+    CHECK(!played.world
+               .submit({played.world.stepCount(), 1, 90, ChangeCharacters{{1}, std::vector<Body>{bad}, {}}})
+               .ok());
+    REQUIRE(
+        played.world
+            .submit({played.world.stepCount(), 1, 91, ChangeCharacters{{1, 77}, std::vector<Body>{big}, {}}})
+            .ok());
     played.world.step();
     REQUIRE(played.world.rejections().size() == 1);
     CHECK(played.world.rejections()[0].status.message() == "no character has the id 77");

@@ -134,8 +134,8 @@ TEST_CASE("values out of range are refused") {
     CHECK(refused(TouchDown{1, {0, 0}, -1.0, {}}));
     CHECK(refused(TouchMove{1, {2e6, 0}, 0}));
     CHECK(refused(TouchUp{1, nan}));
-    CHECK(refused(SetCount{GroupId{1}, 0}));
-    CHECK(refused(SetCount{GroupId{1}, 200001}));
+    CHECK(refused(ChangeGroup{.group = GroupId{1}, .count = 0}));
+    CHECK(refused(ChangeGroup{.group = GroupId{1}, .count = 200001}));
     CHECK(refused(SetPose{GroupId{1}, {0, 0}, infinity}));
     CHECK(refused(SetParameter{"plan.exponent", 0.5}));
     CHECK(refused(SetParameter{"no.such", 0.5}));
@@ -149,10 +149,10 @@ TEST_CASE("values out of range are refused") {
     PatchDef patch{.polygon = {{0, 0}, {1, 0}, {1, 1}}, .motion = -1};
     CHECK(refused(putThing(patch)));
     FormationDef formation{.spacing = 0.0};
-    CHECK(refused(SetFormation{GroupId{1}, formation}));
+    CHECK(refused(ChangeGroup{.group = GroupId{1}, .formation = formation}));
     formation = {};
     formation.kind = FormationKind::Points;
-    CHECK(refused(SetFormation{GroupId{1}, formation}));
+    CHECK(refused(ChangeGroup{.group = GroupId{1}, .formation = formation}));
     GroupDef group{.starts = {{0, 0}}};
     CHECK(refused(AddGroup{group}));
 }

@@ -50,7 +50,7 @@ TEST_CASE("who holds back before a door depends on nothing but the state, also w
     World world = World::create(hall(0.8, 1)).value();
     for (int s = 0; s < 120; ++s) world.step();  // They touch before the door.
     REQUIRE(world.submit({120, 1, 0, SetParameter{"character.headway", 0.5}}).ok());
-    REQUIRE(world.submit({120, 1, 1, SetCount{world.group(0).id, 20}}).ok());
+    REQUIRE(world.submit({120, 1, 1, ChangeGroup{.group = world.group(0).id, .count = 20}}).ok());
     for (int s = 0; s < 5; ++s) world.step();
     checkGoesOn(world, 120);
 }

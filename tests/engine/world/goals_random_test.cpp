@@ -92,7 +92,7 @@ private:
             case 9:
                 return EditQueue{group.id, QueueEdit::Stop, 0};
             case 10:
-                return RemoveCharacters{ids};
+                return TransferCharacters{ids, {}};
             case 11:
                 return TransferCharacters{ids, other};
             case 12:
@@ -103,18 +103,19 @@ private:
             case 14:
                 return MergeGroups{{group.id, other}};
             case 15:
-                return SetCount{group.id, 1 + static_cast<std::int32_t>(random_.below(30))};
+                return ChangeGroup{.group = group.id,
+                                   .count = 1 + static_cast<std::int32_t>(random_.below(30))};
             case 16:
                 return SetPose{group.id, p, 1.0};
             case 17: {
                 FormationDef formation{.kind = FormationKind::Ring};
-                return SetFormation{group.id, formation};
+                return ChangeGroup{.group = group.id, .formation = formation};
             }
             case 18:
                 area.open = random_.below(2) == 0;
                 return putThing(area, AreaId{1 + random_.below(3)}, group.id);
             case 19:
-                return PlaceGroup{group.id, p, 0.5};
+                return SetPose{group.id, p, 0.5, true};
             case 20:
                 return putThing(tree(p, 0.4));
             default: {

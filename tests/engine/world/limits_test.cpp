@@ -103,8 +103,10 @@ TEST_CASE("one limit on characters, for scenarios, groups that join, and counts"
         CHECK(holds(refusalOf(world, AddGroup{group}), expected.c_str()));
         group.count = 5;
         CHECK(refusalOf(world, AddGroup{group}).empty());
-        CHECK(holds(refusalOf(world, SetCount{world.group(1).id, most - 3}), expected.c_str()));
-        CHECK(holds(refusalOf(world, SetCount{world.group(1).id, kMaxCharacters + 1}), "200000"));
+        CHECK(holds(refusalOf(world, ChangeGroup{.group = world.group(1).id, .count = most - 3}),
+                    expected.c_str()));
+        CHECK(holds(refusalOf(world, ChangeGroup{.group = world.group(1).id, .count = kMaxCharacters + 1}),
+                    "200000"));
         CHECK(world.characters().size() == 9);
     }
 }

@@ -87,7 +87,7 @@ TEST_CASE("who is left goes on when some fall on a march, and they close their r
     double slowest = before;
     for (std::size_t k = 0; k < 5; ++k) {
         const auto ids = world.characters().id;
-        REQUIRE(give(world, RemoveCharacters{{ids[7 * k], ids[7 * k + 3]}}).ok());
+        REQUIRE(give(world, TransferCharacters{{ids[7 * k], ids[7 * k + 3]}, {}}).ok());
         for (int s = 0; s < 30; ++s) {
             world.step();
             slowest = std::min(slowest, crossing.meanSpeed());

@@ -118,8 +118,8 @@ TEST_CASE("who cannot move is stuck, after five seconds and not before") {
 TEST_CASE("characters that join and leave are followed by id") {
     auto world = World::create(WorldDef{.groups = {GroupDef{}}});
     REQUIRE(world.ok());
-    REQUIRE(world->submit({30, 1, 0, SetCount{GroupId{1}, 40}}).ok());
-    REQUIRE(world->submit({60, 1, 1, SetCount{GroupId{1}, 20}}).ok());
+    REQUIRE(world->submit({30, 1, 0, ChangeGroup{.group = GroupId{1}, .count = 40}}).ok());
+    REQUIRE(world->submit({60, 1, 1, ChangeGroup{.group = GroupId{1}, .count = 20}}).ok());
     const RunFigures f = figuresAfter(*world, 8.0);
     CHECK(f.characters == 20);
     CHECK(f.arrived100 >= 0.0);

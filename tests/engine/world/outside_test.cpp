@@ -19,7 +19,7 @@ struct Driven {
 
     explicit Driven(std::int32_t threads = 1) : played(scene()) {
         (void)threads;
-        played.give(SetDriver{{26}, Driver::Outside});
+        played.give(ChangeCharacters{{26}, {}, Driver::Outside});
     }
     static WorldDef scene() {
         WorldDef def = openFloor(25);
@@ -61,7 +61,7 @@ TEST_CASE("Muster answers place, cost, way and wanted velocity of who is moved f
     WorldDef def = openFloor(4);
     def.obstacles = {block(-1, -4, 1, 12)};
     Played played(def);
-    played.give(SetDriver{{1}, Driver::Outside});
+    played.give(ChangeCharacters{{1}, {}, Driver::Outside});
     played.give(SetPose{GroupId{1}, {6, 3}, 0.0});
     played.run(8.0);
     const CharactersView c = played.world.characters();
@@ -90,7 +90,7 @@ TEST_CASE("who walks by the wanted velocity from outside arrives, and replays ha
         Played played(def);
         std::vector<std::uint32_t> ids;
         for (std::uint32_t id = 1; id <= 9; ++id) ids.push_back(id);
-        played.give(SetDriver{ids, Driver::Outside});
+        played.give(ChangeCharacters{ids, {}, Driver::Outside});
         played.give(SetPose{GroupId{1}, {6, 0}, 0.0});
         for (int s = 0; s < 900; ++s) {
             const CharactersView c = played.world.characters();
@@ -124,11 +124,11 @@ TEST_CASE("positions are kept inside the box; of others and of nobody they are r
     };
     CHECK(refusal(WriteMotion{{3}, {{0, 0}}, {}}) == "character 3 is moved by Muster, not from outside");
     CHECK(refusal(WriteMotion{{99}, {{0, 0}}, {}}) == "no character has the id 99");
-    CHECK(refusal(SetDriver{{99}, Driver::Outside}) == "no character has the id 99");
+    CHECK(refusal(ChangeCharacters{{99}, {}, Driver::Outside}) == "no character has the id 99");
     const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK(!world.submit({world.stepCount(), 7, 99, WriteMotion{{26}, {{nan, 0}}, {}}}).ok());
     // Taken back by Muster it walks home.
-    driven.played.give(SetDriver{{26}, Driver::Muster});
+    driven.played.give(ChangeCharacters{{26}, {}, Driver::Muster});
     driven.played.run(25.0);
     CHECK(driven.played.farthest(1) < 0.3);
 }

@@ -250,7 +250,7 @@ TEST_CASE("the numbers of the persons of a group are spread as their distributio
     CHECK(misfit(valuesOf(bodies, &Body::premovement), sort.premovement) < 1.63);
     // Who comes later is drawn alike.
     World world = World::create(crowdOf(4, {sort})).value();
-    REQUIRE(give(world, SetCount{world.group(0).id, 2000}).ok());
+    REQUIRE(give(world, ChangeGroup{.group = world.group(0).id, .count = 2000}).ok());
     world.step();
     REQUIRE(world.characters().size() == 2000);
     CHECK(misfit(valuesOf(bodiesOf(world), &Body::maxSpeed), sort.speed) < 1.63);
@@ -353,21 +353,22 @@ TEST_CASE(
         REQUIRE(give(world, body).ok());
         world.step();
     };
-    carryOut(SetPeople{GroupId{1}, {women, men}});
+    carryOut(ChangeGroup{.group = GroupId{1}, .people = std::vector<PeopleDef>{women, men}});
     CHECK(bodiesOf(world) == drawn);
     CHECK(world.groupDef(0).people == std::vector<PeopleDef>{women, men});
     World restored = World::restore(world.snapshot()).value();
     CHECK(restored.hash() == world.hash());
-    carryOut(SetPeople{GroupId{1}, {adults()}});
+    carryOut(ChangeGroup{.group = GroupId{1}, .people = std::vector<PeopleDef>{adults()}});
     CHECK(bodiesOf(world) == before);
     // Numbers by hand stay where no sort draws them.
     Body heavy = bodiesOf(world)[4];
     heavy.mass = 3.0;
     heavy.radius = 0.4;
-    carryOut(SetBodies{{5}, {heavy}});
-    carryOut(SetPeople{GroupId{1}, {}});
+    carryOut(ChangeCharacters{{5}, std::vector<Body>{heavy}, {}});
+    carryOut(ChangeGroup{.group = GroupId{1}, .people = std::vector<PeopleDef>{}});
     CHECK(bodiesOf(world)[4].mass == 3.0);
     CHECK(bodiesOf(world)[4].radius == 0.4);
     CHECK(bodiesOf(world)[4].maxSpeed == 0.0);
-    CHECK(give(world, SetPeople{GroupId{1}, {sortOf(1, -1.0)}}).code() == StatusCode::InvalidArgument);
+    CHECK(give(world, ChangeGroup{.group = GroupId{1}, .people = std::vector<PeopleDef>{sortOf(1, -1.0)}})
+              .code() == StatusCode::InvalidArgument);
 }

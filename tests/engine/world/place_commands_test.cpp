@@ -89,11 +89,11 @@ TEST_CASE("what groups have passed stays with its checkpoint when another one go
     REQUIRE(floor.world.group(0).formation == FormationKind::Ring);
     REQUIRE(floor.world.group(1).formation == FormationKind::Ring);
     CHECK(floor.carryOut(removeThing(CheckpointId{1})).empty());
-    CHECK(floor.carryOut(SetFormation{GroupId{1}, FormationDef{}}).empty());
+    CHECK(floor.carryOut(ChangeGroup{.group = GroupId{1}, .formation = FormationDef{}}).empty());
     floor.run(3);
     CHECK(floor.world.group(0).formation != FormationKind::Ring);
     // The first group has not been in the third checkpoint yet.
-    CHECK(floor.carryOut(PlaceGroup{GroupId{1}, {6, 6}, 0.0}).empty());
+    CHECK(floor.carryOut(SetPose{GroupId{1}, {6, 6}, 0.0, true}).empty());
     floor.run(2);
     CHECK(floor.world.group(0).formation == FormationKind::Ring);
 }
@@ -103,7 +103,7 @@ TEST_CASE("a group is placed at once, stands there, and goes on from there") {
     const std::vector<std::uint32_t> ids = copyOf(floor.world.characters().id);
     CHECK(floor.carryOut(GiveOrder{GroupId{1}, QueueMode::Replace, 0, Order::move({9, 9}, 0.0)}).empty());
     floor.run(60);
-    CHECK(floor.carryOut(PlaceGroup{GroupId{1}, {5, -4}, 1.0}).empty());
+    CHECK(floor.carryOut(SetPose{GroupId{1}, {5, -4}, 1.0, true}).empty());
     CHECK(distance(floor.middle(), {5, -4}) < 0.3);
     CHECK(copyOf(floor.world.characters().id) == ids);
     CHECK(floor.world.group(0).orders.empty());
@@ -119,7 +119,7 @@ TEST_CASE("a group that is placed in a wall stands beside it") {
     WorldDef def = openFloor();
     def.obstacles.push_back(block(2, -2, 6, 2));
     Floor floor(def);
-    CHECK(floor.carryOut(PlaceGroup{GroupId{1}, {4, 0}, 0.0}).empty());
+    CHECK(floor.carryOut(SetPose{GroupId{1}, {4, 0}, 0.0, true}).empty());
     floor.run(30);
     for (const Vec2 p : floor.world.characters().position)
         CHECK((p.x < 2.0 || p.x > 6.0 || p.y < -2.0 || p.y > 2.0));
@@ -128,21 +128,22 @@ TEST_CASE("a group that is placed in a wall stands beside it") {
 
 TEST_CASE("names are kept, and too long ones refused") {
     Floor floor;
-    CHECK(floor.carryOut(NameGroup{GroupId{1}, "Guests"}).empty());
+    CHECK(floor.carryOut(ChangeGroup{.group = GroupId{1}, .name = "Guests"}).empty());
     CHECK(floor.world.group(0).name == "Guests");
-    CHECK(floor.carryOut(NameGroup{GroupId{3}, "Guests"}) == "no group has the id 3");
-    CHECK_FALSE(give(floor.world, NameGroup{GroupId{1}, std::string(5000, 'x')}).ok());
+    CHECK(floor.carryOut(ChangeGroup{.group = GroupId{3}, .name = "Guests"}) == "no group has the id 3");
+    CHECK_FALSE(give(floor.world, ChangeGroup{.group = GroupId{1}, .name = std::string(5000, 'x')}).ok());
 }
 
 TEST_CASE("a colour is taken and given back, and bad ones are refused") {
     Floor floor;
-    CHECK(floor.carryOut(ColourGroup{GroupId{1}, 0xD60EA8}).empty());
+    CHECK(floor.carryOut(ChangeGroup{.group = GroupId{1}, .colour = GroupColour{0xD60EA8}}).empty());
     CHECK(floor.world.group(0).colour == 0xD60EA8u);
     CHECK(floor.world.groupDef(0).colour == 0xD60EA8u);
-    CHECK(floor.carryOut(ColourGroup{GroupId{1}, std::nullopt}).empty());
+    CHECK(floor.carryOut(ChangeGroup{.group = GroupId{1}, .colour = GroupColour{std::nullopt}}).empty());
     CHECK_FALSE(floor.world.group(0).colour);
-    CHECK(floor.carryOut(ColourGroup{GroupId{3}, 0}) == "no group has the id 3");
-    CHECK_FALSE(give(floor.world, ColourGroup{GroupId{1}, 0x1000000}).ok());
+    CHECK(floor.carryOut(ChangeGroup{.group = GroupId{3}, .colour = GroupColour{0}}) ==
+          "no group has the id 3");
+    CHECK_FALSE(give(floor.world, ChangeGroup{.group = GroupId{1}, .colour = GroupColour{0x1000000}}).ok());
     WorldDef def = openFloor();
     def.groups[0].colour = 0x1000000;
     CHECK_FALSE(World::create(def).ok());
@@ -150,7 +151,10 @@ TEST_CASE("a colour is taken and given back, and bad ones are refused") {
 
 TEST_CASE("an appearance is taken and given back, moves nobody, and unknown ones are refused") {
     Floor plain, marching;
-    CHECK(marching.carryOut(SetAppearance{GroupId{1}, BodyBuild::Narrow, MotionSet::March}).empty());
+    CHECK(marching
+              .carryOut(
+                  ChangeGroup{.group = GroupId{1}, .look = GroupLook{BodyBuild::Narrow, MotionSet::March}})
+              .empty());
     CHECK(marching.world.group(0).build == BodyBuild::Narrow);
     CHECK(marching.world.groupDef(0).motions == MotionSet::March);
     plain.run(1);
@@ -161,12 +165,16 @@ TEST_CASE("an appearance is taken and given back, moves nobody, and unknown ones
     auto restored = World::restore(marching.world.snapshot());
     REQUIRE(restored.ok());
     CHECK(restored->group(0).motions == MotionSet::March);
-    CHECK(marching.carryOut(SetAppearance{GroupId{1}, std::nullopt, std::nullopt}).empty());
-    CHECK(plain.carryOut(NameGroup{GroupId{1}, "Group"}).empty());
+    CHECK(marching.carryOut(ChangeGroup{.group = GroupId{1}, .look = GroupLook{std::nullopt, std::nullopt}})
+              .empty());
+    CHECK(plain.carryOut(ChangeGroup{.group = GroupId{1}, .name = "Group"}).empty());
     CHECK(plain.world.hash() == marching.world.hash());
-    CHECK(plain.carryOut(SetAppearance{GroupId{3}, {}, {}}) == "no group has the id 3");
-    CHECK_FALSE(give(plain.world, SetAppearance{GroupId{1}, BodyBuild{2}, {}}).ok());
-    CHECK_FALSE(give(plain.world, SetAppearance{GroupId{1}, {}, MotionSet{2}}).ok());
+    CHECK(plain.carryOut(ChangeGroup{.group = GroupId{3}, .look = GroupLook{{}, {}}}) ==
+          "no group has the id 3");
+    CHECK_FALSE(
+        give(plain.world, ChangeGroup{.group = GroupId{1}, .look = GroupLook{BodyBuild{2}, {}}}).ok());
+    CHECK_FALSE(
+        give(plain.world, ChangeGroup{.group = GroupId{1}, .look = GroupLook{{}, MotionSet{2}}}).ok());
     WorldDef def = openFloor();
     def.groups[0].motions = MotionSet{9};
     CHECK_FALSE(World::create(def).ok());
@@ -175,20 +183,20 @@ TEST_CASE("an appearance is taken and given back, moves nobody, and unknown ones
 TEST_CASE("a chosen colour is in the hash and moves nobody; without one the hash is that of before") {
     Floor plain, coloured;
     plain.run(1);
-    CHECK(coloured.carryOut(ColourGroup{GroupId{1}, 0x05536D}).empty());
+    CHECK(coloured.carryOut(ChangeGroup{.group = GroupId{1}, .colour = GroupColour{0x05536D}}).empty());
     CHECK(plain.world.hash() != coloured.world.hash());
     plain.run(60);
     coloured.run(60);
     CHECK(copyOf(plain.world.characters().position) == copyOf(coloured.world.characters().position));
     // The last command's step is state: both worlds get one.
-    CHECK(plain.carryOut(NameGroup{GroupId{1}, "Group"}).empty());
-    CHECK(coloured.carryOut(ColourGroup{GroupId{1}, std::nullopt}).empty());
+    CHECK(plain.carryOut(ChangeGroup{.group = GroupId{1}, .name = "Group"}).empty());
+    CHECK(coloured.carryOut(ChangeGroup{.group = GroupId{1}, .colour = GroupColour{std::nullopt}}).empty());
     CHECK(plain.world.hash() == coloured.world.hash());
 }
 
 TEST_CASE("colours are saved with the world, and a part that is split off has none") {
     Floor floor(busyFloor(3));
-    CHECK(floor.carryOut(ColourGroup{GroupId{2}, 0x00A1FF}).empty());
+    CHECK(floor.carryOut(ChangeGroup{.group = GroupId{2}, .colour = GroupColour{0x00A1FF}}).empty());
     auto restored = World::restore(floor.world.snapshot());
     REQUIRE(restored.ok());
     CHECK_FALSE(restored->group(0).colour);
@@ -207,7 +215,7 @@ TEST_CASE("a world with edited items and checkpoints is saved and goes on to the
     CHECK(floor.carryOut(putThing(ItemDef{{-3, 3}, 0.5})).empty());
     CHECK(floor.carryOut(removeThing(ItemId{1})).empty());
     CHECK(floor.carryOut(putThing(ringAt({3, 3}), {}, GroupId{2})).empty());
-    CHECK(floor.carryOut(PlaceGroup{GroupId{1}, {-8, -8}, 2.0}).empty());
+    CHECK(floor.carryOut(SetPose{GroupId{1}, {-8, -8}, 2.0, true}).empty());
     checkGoesOn(floor.world, 240);
     World restored = World::restore(floor.world.snapshot()).value();
     CHECK(restored.itemIds()[0].value == 2);

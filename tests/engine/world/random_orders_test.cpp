@@ -49,7 +49,7 @@ struct Commander {
             (void)give(world, EditQueue{group, static_cast<QueueEdit>(random.below(6))});
         } else if (dice == 20) {
             Conduct conduct{.squeeze = random.uniform(0, 1), .avoids = random.below(4) > 0};
-            (void)give(world, SetConduct{group, conduct});
+            (void)give(world, ChangeGroup{.group = group, .conduct = conduct});
         } else if (dice == 30 && !world.obstacleIds().empty()) {
             (void)give(world, removeThing(world.obstacleIds().back()));
         } else if (dice == 40) {

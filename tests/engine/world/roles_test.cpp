@@ -132,19 +132,19 @@ TEST_CASE("roles and bodies may change, and go away") {
     const GroupId id = world.group(0).id;
     for (int s = 0; s < 30; ++s) world.step();
     CHECK(world.group(0).placeClasses.empty());
-    REQUIRE(give(world, SetRoles{id, {{RoleArea::Rear, 1}}}).ok());
+    REQUIRE(give(world, ChangeGroup{.group = id, .roles = std::vector<RoleDef>{{RoleArea::Rear, 1}}}).ok());
     for (int s = 0; s < 30; ++s) world.step();
     CHECK(strangers(world) == 0);
     CHECK(std::count(world.group(0).placeClasses.begin(), world.group(0).placeClasses.end(), 1) == 12);
-    REQUIRE(give(world, SetRoles{id, {{RoleArea::Flanks, 1}}}).ok());
+    REQUIRE(give(world, ChangeGroup{.group = id, .roles = std::vector<RoleDef>{{RoleArea::Flanks, 1}}}).ok());
     FormationDef ring{.kind = FormationKind::Ring};
-    REQUIRE(give(world, SetFormation{id, ring}).ok());
+    REQUIRE(give(world, ChangeGroup{.group = id, .formation = ring}).ok());
     for (int s = 0; s < 30; ++s) world.step();
     CHECK(strangers(world) == 0);
-    REQUIRE(give(world, SetRoles{id, {}}).ok());
+    REQUIRE(give(world, ChangeGroup{.group = id, .roles = std::vector<RoleDef>{}}).ok());
     world.step();
     CHECK(world.group(0).placeClasses.empty());
-    REQUIRE(give(world, SetRoles{GroupId{77}, {}}).ok());
+    REQUIRE(give(world, ChangeGroup{.group = GroupId{77}, .roles = std::vector<RoleDef>{}}).ok());
     world.step();
     CHECK(world.rejections().size() == 1);
 }
@@ -196,7 +196,9 @@ TEST_CASE("a world with roles is restored bit for bit") {
         checkGoesOn(world, 60, [=](World& each) mutable {
             director.act(each);
             if (each.stepCount() == cut + 30)
-                REQUIRE(give(each, SetRoles{each.group(1).id, {{RoleArea::Flanks, 3}}}).ok());
+                REQUIRE(give(each, ChangeGroup{.group = each.group(1).id,
+                                               .roles = std::vector<RoleDef>{{RoleArea::Flanks, 3}}})
+                            .ok());
         });
     }
 }

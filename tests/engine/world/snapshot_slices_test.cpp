@@ -48,7 +48,7 @@ TEST_CASE("a world saved at each slice of a plan goes on bit for bit") {
 TEST_CASE("commands still waiting are saved too") {
     World world = World::create(openFloor(9)).value();
     REQUIRE(world.submit({10, 1, 0, SetPose{world.group(0).id, {3, 3}, 0}}).ok());
-    REQUIRE(world.submit({12, 1, 1, SetCount{world.group(0).id, 12}}).ok());
+    REQUIRE(world.submit({12, 1, 1, ChangeGroup{.group = world.group(0).id, .count = 12}}).ok());
     for (int s = 0; s < 5; ++s) world.step();
     Result<World> copy = World::restore(world.snapshot());
     REQUIRE(copy.ok());

@@ -40,7 +40,8 @@ TEST_CASE("the order of submission does not matter, only step, client and sequen
         std::vector<Command> commands;
         for (std::uint32_t i = 0; i < 20; ++i) {
             FormationDef formation{.kind = static_cast<FormationKind>(i % 8)};
-            commands.push_back({5 + i / 4, i % 3, i, SetFormation{world.group(0).id, formation}});
+            commands.push_back(
+                {5 + i / 4, i % 3, i, ChangeGroup{.group = world.group(0).id, .formation = formation}});
         }
         if (reversed) std::reverse(commands.begin(), commands.end());
         for (const Command& command : commands) REQUIRE(world.submit(command).ok());

@@ -45,7 +45,7 @@ TEST_CASE("a column that crosses a line which holds its ground goes round it or 
         CAPTURE(spacing);
         Played played(meeting(spacing));
         Conduct hold{.stance = Stance::Hold};
-        played.give(SetConduct{GroupId{1}, hold});
+        played.give(ChangeGroup{.group = GroupId{1}, .conduct = hold});
         CHECK(moved(played, 25.0) < 0.1);
         CHECK(played.farthest(1) < 0.5);
         CHECK(played.deepest < 0.1);
@@ -55,7 +55,7 @@ TEST_CASE("a column that crosses a line which holds its ground goes round it or 
 TEST_CASE("who yields is moved, and the column that it yields to comes straight through") {
     Played normal(meeting(0.9)), yielding(meeting(0.9));
     Conduct conduct{.stance = Stance::Yield};
-    yielding.give(SetConduct{GroupId{1}, conduct});
+    yielding.give(ChangeGroup{.group = GroupId{1}, .conduct = conduct});
     const double usual = moved(normal, 14.0), most = moved(yielding, 14.0);
     CHECK(most > 0.1);
     CHECK(most >= 0.8 * usual);

@@ -202,7 +202,7 @@ TEST_CASE("plan.mode after a change of formation: assigned again, or by number")
         World world = World::create(def).value();
         world.step();
         FormationDef ring{.kind = FormationKind::Ring};
-        REQUIRE(give(world, SetFormation{world.group(0).id, ring}).ok());
+        REQUIRE(give(world, ChangeGroup{.group = world.group(0).id, .formation = ring}).ok());
         for (int s = 0; s < 10 * 60; ++s) world.step();
         const std::span place = world.characters().place;
         std::vector<std::int32_t> sorted(place.begin(), place.end());

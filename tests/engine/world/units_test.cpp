@@ -113,7 +113,7 @@ TEST_CASE("one death among 60 on the way moves nobody but those behind in the fi
         if (restX(i) > restX(dead)) dead = i;
     }
     const std::uint32_t id = c.id[dead];
-    REQUIRE(give(world, RemoveCharacters{{id}}).ok());
+    REQUIRE(give(world, TransferCharacters{{id}, {}}).ok());
     world.step();
     REQUIRE(world.rejections().empty());
     REQUIRE(countOf(world, EventKind::Left) == 1);
@@ -138,7 +138,7 @@ TEST_CASE("ten deaths on the way, one after the other, stop nobody") {
     for (int death = 0; death < 10; ++death) {
         const auto speeds = speedsOf(world);
         const std::uint32_t id = world.characters().id[(death * 17u) % world.characters().size()];
-        REQUIRE(give(world, RemoveCharacters{{id}}).ok());
+        REQUIRE(give(world, TransferCharacters{{id}, {}}).ok());
         run(world, 0.25);
         REQUIRE(world.rejections().empty());
         for (const auto& [who, speed] : speedsOf(world))
@@ -181,7 +181,7 @@ TEST_CASE("a group may become empty, stay, and be filled again") {
     World world = walking(9);
     const GroupId id = world.group(0).id;
     const auto all = copyOf(world.characters().id);
-    REQUIRE(give(world, RemoveCharacters{all}).ok());
+    REQUIRE(give(world, TransferCharacters{all, {}}).ok());
     run(world, 1.0);
     REQUIRE(world.groupCount() == 1);
     CHECK(world.characters().size() == 0);
@@ -315,7 +315,7 @@ TEST_CASE("bad changes of groups are refused and change nothing") {
     const GroupId group = world.group(0).id;
     World twin = World::restore(world.snapshot()).value();
     const std::vector<CommandBody> bad{
-        RemoveCharacters{{77}},
+        TransferCharacters{{77}, {}},
         TransferCharacters{{1, 2}, GroupId{9}},
         TransferCharacters{{1, 2}, group},
         AddCharacters{GroupId{9}, {{0, 0}}, {}},
@@ -333,7 +333,7 @@ TEST_CASE("bad changes of groups are refused and change nothing") {
         CHECK(world.characters().size() == 9);
         CHECK(positionsOf(world) == positionsOf(twin));
     }
-    CHECK(!give(world, RemoveCharacters{{1, 1}}).ok());
-    CHECK(!give(world, RemoveCharacters{}).ok());
+    CHECK(!give(world, TransferCharacters{{1, 1}, {}}).ok());
+    CHECK(!give(world, TransferCharacters{}).ok());
     CHECK(!give(world, MergeGroups{{group, group}, {}}).ok());
 }

@@ -62,7 +62,7 @@ struct WeightDirector {
                        : world.characters()
                              .id[members[random.below(static_cast<std::uint32_t>(members.size()))]];
         };
-        if (dice == 0) (void)give(world, RemoveCharacters{{anybody()}});
+        if (dice == 0) (void)give(world, TransferCharacters{{anybody()}, {}});
         if (dice == 1) {
             AddCharacters join{group.id, {{random.uniform(-20, 30), random.uniform(-10, 10)}}, {}};
             join.bodies.resize(1);
@@ -79,20 +79,23 @@ struct WeightDirector {
         if (dice == 4) {
             std::vector<double> demands(group.placePositions.size());
             for (double& demand : demands) demand = 0.5 * random.below(5);
-            (void)give(world, SetDemands{group.id, demands});
+            (void)give(world, ChangeGroup{.group = group.id, .demands = demands});
         }
         if (dice == 5) {
             Body body{.supply = random.uniform(0.01, 3.0)};
-            (void)give(world, SetBodies{{anybody()}, {body}});
+            (void)give(world, ChangeCharacters{{anybody()}, std::vector<Body>{body}, {}});
         }
         if (dice == 6)
             (void)give(world, GiveOrder{group.id, QueueMode::Replace, 0,
                                         Order::move({random.uniform(-15, 35), random.uniform(-8, 8)}, 0.0)});
         if (dice == 7) {
             FormationDef formation{.kind = static_cast<FormationKind>(random.below(7))};
-            (void)give(world, SetFormation{group.id, formation});
+            (void)give(world, ChangeGroup{.group = group.id, .formation = formation});
         }
-        if (dice == 8) (void)give(world, SetRoles{group.id, {{RoleArea::Front, 1}, {RoleArea::Rim, 2}}});
+        if (dice == 8)
+            (void)give(world,
+                       ChangeGroup{.group = group.id,
+                                   .roles = std::vector<RoleDef>{{RoleArea::Front, 1}, {RoleArea::Rim, 2}}});
     }
 };
 
@@ -164,7 +167,7 @@ TEST_CASE("demands go on with their places when ranks close and groups split and
     (void)play(world, 0.5);
     const std::vector<double> before = world.groupDef(0).demands;
     const std::vector<Vec2> places = copyOf(world.group(0).placePositions);
-    REQUIRE(give(world, RemoveCharacters{{8}}).ok());
+    REQUIRE(give(world, TransferCharacters{{8}, {}}).ok());
     world.step();
     const auto sameAsBefore = [&](std::size_t g) {
         const std::vector<double> after = world.groupDef(g).demands;
@@ -221,7 +224,8 @@ TEST_CASE("weights that are not one for each place, or out of range, are refused
     def.groups[0].bodies[4].supply = 0.0;
     CHECK(World::create(def).status().message().find("supply") != std::string::npos);
     World world = World::create(weightedGroup(9, 1)).value();
-    REQUIRE(give(world, SetDemands{world.group(0).id, {1.0, 2.0}}).ok());
+    REQUIRE(
+        give(world, ChangeGroup{.group = world.group(0).id, .demands = std::vector<double>{1.0, 2.0}}).ok());
     world.step();
     REQUIRE(world.rejections().size() == 1);
     CHECK(world.rejections()[0].status.message().find("found 2 demands") != std::string::npos);

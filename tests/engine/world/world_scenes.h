@@ -140,14 +140,15 @@ public:
         }
         if (dice == 60) {
             FormationDef formation{.kind = static_cast<FormationKind>(random_.below(8))};
-            (void)give(world, SetFormation{world.group(0).id, formation});
+            (void)give(world, ChangeGroup{.group = world.group(0).id, .formation = formation});
         }
         if (dice == 70)
             (void)give(world, putThing(tree({random_.uniform(-9, 9), random_.uniform(-9, 9)}, 0.4)));
         if (dice == 80 && !world.obstacleIds().empty())
             (void)give(world, removeThing(world.obstacleIds().back()));
         if (dice == 90)
-            (void)give(world, SetCount{world.group(0).id, static_cast<std::int32_t>(10 + random_.below(30))});
+            (void)give(world, ChangeGroup{.group = world.group(0).id,
+                                          .count = static_cast<std::int32_t>(10 + random_.below(30))});
     }
 
     template <class Archive>

@@ -113,7 +113,7 @@ TEST_CASE("every formation is taken up and nobody is left over") {
     World world = World::create(def).value();
     for (int kind = 0; kind < 8; ++kind) {
         FormationDef formation{.kind = static_cast<FormationKind>(kind)};
-        REQUIRE(give(world, SetFormation{world.group(0).id, formation}).ok());
+        REQUIRE(give(world, ChangeGroup{.group = world.group(0).id, .formation = formation}).ok());
         run(world, 14.0);
         CAPTURE(kind);
         CHECK(world.rejections().empty());
@@ -124,11 +124,11 @@ TEST_CASE("every formation is taken up and nobody is left over") {
 
 TEST_CASE("characters may join and leave while it runs") {
     World world = World::create(openFloor(20)).value();
-    REQUIRE(give(world, SetCount{world.group(0).id, 35}).ok());
+    REQUIRE(give(world, ChangeGroup{.group = world.group(0).id, .count = 35}).ok());
     run(world, 10.0);
     CHECK(world.characters().size() == 35);
     CHECK(worstDistanceToPlace(world) < 0.25);
-    REQUIRE(give(world, SetCount{world.group(0).id, 7}).ok());
+    REQUIRE(give(world, ChangeGroup{.group = world.group(0).id, .count = 7}).ok());
     run(world, 10.0);
     CHECK(world.characters().size() == 7);
     CHECK(world.characters().id.back() == 7);
@@ -195,7 +195,7 @@ TEST_CASE("bad commands are refused with a sentence and change nothing") {
     World world = World::create(openFloor(9)).value();
     World other = World::create(openFloor(9)).value();
     CHECK_FALSE(world.submit({0, 1, 0, TouchDown{1, {NAN, 0}, 0.0, {}}}).ok());
-    CHECK(give(world, SetFormation{GroupId{99}, {}}).ok());
+    CHECK(give(world, ChangeGroup{.group = GroupId{99}, .formation = FormationDef{}}).ok());
     CHECK(give(world, removeThing(ObstacleId{5})).ok());
     CHECK(give(world, TouchUp{4, 0.0}).ok());
     CHECK(give(world, TouchDown{1, {11, 11}, 0.0, {}}).ok());

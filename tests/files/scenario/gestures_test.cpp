@@ -62,7 +62,7 @@ TEST_CASE("events of one step keep their order") {
                                         "G", kStep);
     REQUIRE(commands.ok());
     CHECK(std::holds_alternative<TouchDown>((*commands)[0].body));
-    CHECK(std::get<SetFormation>((*commands)[1].body).formation.kind == FormationKind::Wedge);
+    CHECK(std::get<ChangeGroup>((*commands)[1].body).formation->kind == FormationKind::Wedge);
 }
 
 TEST_CASE("every kind of command survives the file") {

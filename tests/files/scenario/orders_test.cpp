@@ -104,7 +104,7 @@ TEST_CASE("orders are called by what they ask for") {
 
 TEST_CASE("a leave of a group is an order, one of ids takes characters out") {
     const CommandBody out = bodyOf(R"({"kind":"leave","ids":[3,17]})");
-    CHECK(std::get<RemoveCharacters>(out).ids.size() == 2);
+    CHECK(std::get<TransferCharacters>(out).ids.size() == 2);
     const Order leave = orderOf(R"({"kind":"leave","group":1})");
     CHECK(leave.kind == OrderKind::Leave);
     CHECK(leave.exits.empty());
@@ -158,6 +158,52 @@ TEST_CASE("an event of a former kind is read as the one that says the same") {
                     "unknown key \"group\""));
 }
 
+TEST_CASE("former changes of groups and characters are read as the ones that say the same") {
+    const auto change = [](const std::string& event) { return std::get<ChangeGroup>(bodyOf(event)); };
+    const ChangeGroup shaped = change(R"({"kind":"formation","group":2,"formation":"wedge"})");
+    CHECK(shaped.group == GroupId{2});
+    CHECK(shaped.formation->kind == FormationKind::Wedge);
+    CHECK_FALSE(shaped.count);
+    CHECK(change(R"({"kind":"count","group":2,"count":7})").count == 7);
+    CHECK(change(R"({"kind":"conduct","group":2,"stance":"hold"})").conduct->stance == Stance::Hold);
+    CHECK(change(R"({"kind":"roles","group":2,"roles":[]})").roles->empty());
+    CHECK(change(R"({"kind":"demands","group":2,"demands":[1,2]})").demands == std::vector{1.0, 2.0});
+    CHECK(change(R"({"kind":"people","group":2})").people->empty());
+    CHECK(change(R"({"kind":"nameGroup","group":2,"name":"Van"})").name == "Van");
+    CHECK(change(R"({"kind":"colourGroup","group":2})").colour == GroupColour{});
+    CHECK(change(R"({"kind":"appearance","group":2,"build":"narrow"})").look ==
+          GroupLook{BodyBuild::Narrow, {}});
+    const auto pose = std::get<SetPose>(bodyOf(R"({"kind":"placeGroup","group":2,"x":1,"y":2})"));
+    CHECK(pose.characters);
+    CHECK_FALSE(std::get<SetPose>(bodyOf(R"({"kind":"pose","group":2,"x":1,"y":2})")).characters);
+    const auto driven = std::get<ChangeCharacters>(
+        bodyOf(R"({"kind":"driver","ids":[3],"driver":"outside"})"));
+    CHECK(driven.driver == Driver::Outside);
+    CHECK_FALSE(driven.bodies);
+}
+
+TEST_CASE("a change of a group says in files what it gives, also what is empty") {
+    const ChangeGroup changes[] = {
+        {.group = {2}, .count = 7, .name = ""},
+        {.group = {2}, .people = std::vector<PeopleDef>(), .roles = std::vector<RoleDef>()},
+        {.group = {2}, .conduct = Conduct{Stance::Hold, 0.5}, .demands = std::vector<double>()},
+        {.group = {2}, .colour = GroupColour{}, .look = GroupLook{}},
+        {.group = {2},
+         .formation = FormationDef{.kind = FormationKind::Ring},
+         .colour = GroupColour{0xff8000}},
+    };
+    for (const ChangeGroup& change : changes) {
+        const Command command{0, 1, 0, change};
+        const auto read = parseGestures(writeGestures(std::span(&command, 1), 1.0), "M", 1.0);
+        REQUIRE(read.ok());
+        CHECK(encodeCommand(read->front()) == encodeCommand(command));
+    }
+    CHECK(failsWith(R"({"kind":"changeGroup","group":2})", "expected one field or more"));
+    CHECK(failsWith(R"({"kind":"changeGroup","group":2,"count":0})", "$[0].count:"));
+    CHECK(
+        failsWith(R"({"kind":"changeGroup","group":2,"conduct":{"stance":"mild"}})", "$[0].conduct.stance:"));
+}
+
 TEST_CASE("a drawn line gives place, facing and width") {
     // The left end lies to the left of who looks ahead: a front from (4, 5) to (4, 1) looks along +x.
     const Order line = orderOf(R"({"kind":"move","group":1,"line":[[4,5],[4,1]]})");
@@ -173,12 +219,12 @@ TEST_CASE("a drawn line gives place, facing and width") {
 TEST_CASE("bodies are listed with their numbers") {
     const CommandBody body = bodyOf(R"({"kind":"bodies","ids":[1,2,3],
         "bodies":[{"count":2,"class":1,"radius":0.4},{"class":2}]})");
-    const auto& set = std::get<SetBodies>(body);
-    REQUIRE(set.bodies.size() == 3);
-    CHECK(set.bodies[1].radius == 0.4);
-    CHECK(set.bodies[1].unitClass == 1);
-    CHECK(set.bodies[2].unitClass == 2);
-    CHECK(set.bodies[2].mass == 1.0);
+    const std::vector<Body> bodies = std::get<ChangeCharacters>(body).bodies.value();
+    REQUIRE(bodies.size() == 3);
+    CHECK(bodies[1].radius == 0.4);
+    CHECK(bodies[1].unitClass == 1);
+    CHECK(bodies[2].unitClass == 2);
+    CHECK(bodies[2].mass == 1.0);
 }
 
 TEST_CASE("errors of orders and units name the field") {
@@ -211,8 +257,8 @@ TEST_CASE("messages need no times, and keep their order") {
         {"kind":"leave","ids":[1]}])",
                                         "M", kOrderStep);
     REQUIRE(commands.ok());
-    CHECK(std::get<RemoveCharacters>((*commands)[0].body).ids.front() == 3);
-    CHECK(std::get<RemoveCharacters>((*commands)[1].body).ids.front() == 1);
+    CHECK(std::get<TransferCharacters>((*commands)[0].body).ids.front() == 3);
+    CHECK(std::get<TransferCharacters>((*commands)[1].body).ids.front() == 1);
     CHECK((*commands)[1].step == 0);
     CHECK((*commands)[2].step == 60);
     CHECK(parseCommands("[]", "M", kOrderStep)->empty());

@@ -83,7 +83,7 @@ void checkNumbers(const World& world) {
 
 /// True for commands after which bodies may stand in each other or in a wall for a while.
 bool crowds(const CommandBody& body) {
-    return std::holds_alternative<AddCharacters>(body) || std::holds_alternative<SetBodies>(body);
+    return std::holds_alternative<AddCharacters>(body) || std::holds_alternative<ChangeCharacters>(body);
 }
 
 }  // namespace

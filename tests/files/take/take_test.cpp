@@ -34,7 +34,8 @@ std::vector<Command> drag() {
     add(0.1, TouchDown{1, {-3.5, 0}, 0.1, {}});
     for (int i = 1; i <= 20; ++i) add(0.1 + 0.1 * i, TouchMove{1, {-3.5 + 0.3 * i, 0.05 * i}, 0.1 + 0.1 * i});
     add(2.3, TouchUp{1, 2.3});
-    add(2.5, SetFormation{GroupId{1}, {FormationKind::Line, 1.0, 1.2, {}, {}}});
+    add(2.5,
+        ChangeGroup{.group = GroupId{1}, .formation = FormationDef{FormationKind::Line, 1.0, 1.2, {}, {}}});
     return commands;
 }
 

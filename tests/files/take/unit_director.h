@@ -59,13 +59,15 @@ public:
             case 6:
                 return EditQueue{group(), pick<QueueEdit>(6), random_.below(8)};
             case 7:
-                return SetConduct{group(), {pick<Stance>(3), random_.uniform(), random_.uniform(), flip()}};
+                return ChangeGroup{
+                    .group = group(),
+                    .conduct = Conduct{pick<Stance>(3), random_.uniform(), random_.uniform(), flip()}};
             case 8:
             case 9:
                 return AddCharacters{group(), places(1 + random_.below(4)), {}};
             case 10:
             case 11:
-                return RemoveCharacters{ids(1 + random_.below(4))};
+                return TransferCharacters{ids(1 + random_.below(4)), {}};
             case 12:
                 return TransferCharacters{ids(1 + random_.below(6)), group()};
             case 13:
@@ -75,20 +77,24 @@ public:
             case 16:
                 return MergeGroups{{group(), group()}, pick<PartShape>(2)};
             case 17:
-                return SetBodies{ids(1 + random_.below(3)), {body()}};
+                return ChangeCharacters{ids(1 + random_.below(3)), std::vector<Body>{body()}, {}};
             case 18:
-                return SetRoles{group(), {{pick<RoleArea>(7), 1}, {pick<RoleArea>(7), 2}}};
+                return ChangeGroup{
+                    .group = group(),
+                    .roles = std::vector<RoleDef>{{pick<RoleArea>(7), 1}, {pick<RoleArea>(7), 2}}};
             case 19:
-                return SetDemands{group(), std::vector<double>(random_.below(30), random_.uniform(0, 2))};
+                return ChangeGroup{.group = group(),
+                                   .demands = std::vector<double>(random_.below(30), random_.uniform(0, 2))};
             case 20:
-                return SetFormation{group(), formation()};
+                return ChangeGroup{.group = group(), .formation = formation()};
             case 21:
                 return SetPose{group(), place(), random_.uniform(-3, 3)};
             case 22:
-                return outside_ ? CommandBody(SetDriver{ids(1 + random_.below(3)), pick<Driver>(2)})
-                                : CommandBody(RemoveGroup{{99}});
+                return outside_
+                           ? CommandBody(ChangeCharacters{ids(1 + random_.below(3)), {}, pick<Driver>(2)})
+                           : CommandBody(RemoveGroup{{99}});
             default:
-                return outside_ ? motion() : CommandBody(RemoveCharacters{{999999}});
+                return outside_ ? motion() : CommandBody(TransferCharacters{{999999}, {}});
         }
     }
 

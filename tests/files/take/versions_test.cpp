@@ -88,11 +88,13 @@ TEST_CASE("takes of version 1 are read: what came later has its defaults") {
     REQUIRE_MESSAGE(take.ok(), take.status().message());
     CHECK(take->def.name == "Old");
     REQUIRE(take->commands.size() == 2);
-    const auto& set = std::get<SetFormation>(take->commands[0].body);
-    CHECK(set.group == GroupId{1});
-    CHECK(set.formation.kind == FormationKind::Wedge);
-    CHECK(set.formation.spacing == 1.5);
-    CHECK(set.formation.files == 0);
+    const auto& change = std::get<ChangeGroup>(take->commands[0].body);
+    CHECK(change.group == GroupId{1});
+    REQUIRE(change.formation);
+    CHECK(change.formation->kind == FormationKind::Wedge);
+    CHECK(change.formation->spacing == 1.5);
+    CHECK(change.formation->files == 0);
+    CHECK_FALSE(change.count);
     const GroupDef& group = std::get<AddGroup>(take->commands[1].body).group;
     CHECK(group.name == "Later");
     CHECK(group.count == 3);
@@ -163,7 +165,7 @@ TEST_CASE("bodies, orders and patches of version 6 have nothing of what version 
         for (const OldBytes* record : {&bodies, &patch, &face}) file.record(2, record->bytes);
         const auto take = parseTake(file.bytes, "T");
         REQUIRE_MESSAGE(take.ok(), take.status().message());
-        const Body body = std::get<SetBodies>(take->commands[0].body).bodies[0];
+        const Body body = std::get<ChangeCharacters>(take->commands[0].body).bodies->front();
         CHECK(body.unitClass == 2);
         CHECK(body.headway == (now ? 0.5 : 0.0));
         CHECK(body.downstairs == (now ? 0.7 : 0.0));
@@ -178,6 +180,26 @@ TEST_CASE("bodies, orders and patches of version 6 have nothing of what version 
     }
 }
 
+TEST_CASE("a pose of version 9 is that of the mesh alone") {
+    for (const std::uint32_t version : {9u, 10u}) {
+        OldBytes pose;
+        pose.head(0, 0, 10).word(1).real(2.0).real(3.0).real(0.5);
+        if (version >= 10) pose.byte(1);
+        OldBytes placed;
+        placed.head(0, 1, 39).word(1).real(2.0).real(3.0).real(0.5);
+        OldBytes file;
+        for (const char c : std::string("MUSTAKE\n")) file.byte(static_cast<unsigned char>(c));
+        file.word(version);
+        file.record(1, {kScenario.begin(), kScenario.end()});
+        for (const OldBytes* record : {&pose, &placed}) file.record(2, record->bytes);
+        const auto take = parseTake(file.bytes, "T");
+        REQUIRE_MESSAGE(take.ok(), take.status().message());
+        CHECK(std::get<SetPose>(take->commands[0].body).characters == (version >= 10));
+        CHECK(std::get<SetPose>(take->commands[1].body).characters);
+        CHECK(std::get<SetPose>(take->commands[1].body).angle == 0.5);
+    }
+}
+
 TEST_CASE("versions are not mixed up") {
     // The bytes of one version under the number of the other.
     auto older = takeOf(2);
@@ -186,16 +208,16 @@ TEST_CASE("versions are not mixed up") {
     auto newer = takeOf(1);
     newer[8] = 2;
     CHECK(parseTake(newer, "T").status().code() == StatusCode::Corrupt);
-    for (const unsigned version : {0u, 10u}) {
+    for (const unsigned version : {0u, 11u}) {
         auto other = takeOf(1);
         other[8] = static_cast<std::uint8_t>(version);
         const auto take = parseTake(other, "T");
         CHECK(take.status().code() == StatusCode::Unsupported);
-        CHECK(take.status().message().find("expected version 1 to 9") != std::string::npos);
+        CHECK(take.status().message().find("expected version 1 to 10") != std::string::npos);
     }
 }
 
-TEST_CASE("writers write version 9") {
+TEST_CASE("writers write version 10") {
     WorldDef def;
     def.groups.resize(1);
     const std::string path = (std::filesystem::temp_directory_path() / "muster_take_version_test.take")
@@ -207,5 +229,5 @@ TEST_CASE("writers write version 9") {
     CHECK(std::fread(head, 1, sizeof head, file) == sizeof head);
     std::fclose(file);
     std::filesystem::remove(path);
-    CHECK(head[8] == 9);
+    CHECK(head[8] == 10);
 }

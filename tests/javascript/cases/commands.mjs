@@ -140,9 +140,19 @@ export const kBodies = {
   PinControl: { group: 2, control: 8, pinned: true },
   RemoveControl: { group: 2, control: 8 },
   ReleaseClient: {},
-  SetFormation: { group: 2, formation },
-  SetCount: { group: 2, count: 55 },
-  SetPose: { group: 2, position: at(6, 7), angle: -0.5 },
+  ChangeGroup: {
+    group: 2,
+    formation,
+    count: 55,
+    people: [{ name: 'Slow', share: 2, unitClass: 3 }],
+    conduct: group.conduct,
+    roles: [{ area: engine.RoleArea.Flanks, unitClass: 2 }],
+    demands: [1, 0.5, 2],
+    name: 'Vorhut',
+    colour: { colour: 0xffee00 },
+    look: { build: engine.BodyBuild.Narrow, motions: engine.MotionSet.Weary },
+  },
+  SetPose: { group: 2, position: at(6, 7), angle: -0.5, characters: true },
   AddGroup: { group },
   RemoveGroup: { group: 3 },
   PutThing: { id: 4, obstacle },
@@ -150,13 +160,11 @@ export const kBodies = {
   SetParameter: { name: 'plan.exponent', value: 2 },
   GiveOrder: { group: 1, mode: engine.QueueMode.Insert, index: 2, order },
   EditQueue: { group: 1, edit: engine.QueueEdit.Cancel, order: 12 },
-  SetConduct: { group: 1, conduct: group.conduct },
   AddCharacters: {
     group: 1,
     positions: [at(1, 2), at(3, 4)],
     bodies: [body, body],
   },
-  RemoveCharacters: { ids: [1, 2, 3] },
   TransferCharacters: { ids: [4, 5], group: 6 },
   SplitGroup: {
     group: 1,
@@ -166,27 +174,12 @@ export const kBodies = {
     shape: engine.PartShape.Smaller,
   },
   MergeGroups: { groups: [1, 2, 3], shape: engine.PartShape.Smaller },
-  SetBodies: { ids: [1, 2], bodies: [body] },
-  SetRoles: {
-    group: 1,
-    roles: [{ area: engine.RoleArea.Flanks, unitClass: 2 }],
-  },
-  SetDemands: { group: 1, demands: [1, 0.5, 2] },
-  SetDriver: { ids: [7, 8], driver: engine.Driver.Outside },
+  ChangeCharacters: { ids: [7, 8], bodies: [body], driver: engine.Driver.Outside },
   WriteMotion: {
     ids: [7, 8],
     positions: [at(1, 2), at(3, 4)],
     velocities: [at(0.5, 0), at(0, 0.5)],
   },
-  PlaceGroup: { group: 1, position: at(8, 9), angle: 0.125 },
-  NameGroup: { group: 1, name: 'Vorhut' },
-  ColourGroup: { group: 1, colour: 0xffee00 },
-  SetAppearance: {
-    group: 1,
-    build: engine.BodyBuild.Narrow,
-    motions: engine.MotionSet.Weary,
-  },
-  SetPeople: { group: 2, people: [{ name: 'Slow', share: 2, unitClass: 3 }] },
   ReverseQueue: { group: 2 },
 };
 
@@ -223,6 +216,19 @@ test('commands of every kind become bytes and come back, all that they say', asy
   }
 });
 
+test('what a change of a group does not give arrives as null, and an empty list as one', async () => {
+  const muster = await engine.loadMuster();
+  for (const given of [{ count: 3 }, { roles: [] }, { name: '' }, { people: [], demands: [0.5] }, { colour: {} }]) {
+    const command = { kind: CommandKind.ChangeGroup, step: 7, client: 3, sequence: 1, body: { group: 2, ...given } };
+    const [back] = muster.commandDecode(muster.commandEncode(command));
+    holds(back.body, given, Object.keys(given).join());
+    const fields = Object.keys(back.body).filter((name) => back.body[name] !== null);
+    assert.deepEqual(fields.sort(), ['group', ...Object.keys(given)].sort());
+  }
+  const none = { kind: CommandKind.ChangeGroup, step: 7, client: 3, sequence: 1, body: { group: 2 } };
+  refused('InvalidArgument', 'ChangeGroup', () => muster.commandValidate(none));
+});
+
 test('a thing of every kind arrives as it was put', async () => {
   const muster = await engine.loadMuster();
   const item = { position: at(2, 3), radius: 0.75 };
@@ -237,7 +243,7 @@ test('a thing of every kind arrives as it was put', async () => {
 
 test('numbers arrive where the engine looks for them: its own text of the commands says the same', async () => {
   const muster = await engine.loadMuster();
-  const commands = ['TouchDown', 'SetPose', 'SetCount', 'SetParameter', 'GiveOrder', 'WriteMotion', 'NameGroup'].map(
+  const commands = ['TouchDown', 'SetPose', 'ChangeGroup', 'SetParameter', 'GiveOrder', 'WriteMotion'].map(
     (name, k) => ({
       kind: CommandKind[name],
       step: 60 * (k + 1),

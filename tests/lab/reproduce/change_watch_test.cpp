@@ -13,10 +13,8 @@ WorldDef oneWhoGoes() {
 }
 
 Command changeAt(std::uint32_t step, Vec2 place) {
-    SetFormation change;
-    change.group = GroupId{1};
-    change.formation.kind = FormationKind::Points;
-    change.formation.points = {place};
+    const ChangeGroup change{.group = {1},
+                             .formation = FormationDef{.kind = FormationKind::Points, .points = {place}}};
     return {step, 1, step, change};
 }
 

@@ -90,7 +90,7 @@ TEST_CASE("Bytes and number of commands have limits") {
     CHECK(has(wrongWith(commandBytes(holds), limits), "more than 2 commands"));
     CHECK(has(wrongWith(commandBytes(AddCharacters{GroupId{1}, {{0, 0}, {2, 0}}, {}}), limits),
               "2 characters"));
-    CHECK(has(wrongWith(commandBytes(SetCount{GroupId{1}, 2}), limits), "2 characters"));
+    CHECK(has(wrongWith(commandBytes(ChangeGroup{.group = GroupId{1}, .count = 2}), limits), "2 characters"));
     limits.commandBytes = 5;
     CHECK(has(wrongWith(commandBytes(kHold), limits), "bytes"));
 }
@@ -117,8 +117,7 @@ TEST_CASE("A message of commands steers the world, and a bad one changes nothing
     run(session, 0.1, {&client});
     CHECK(client.meshes.back().formation == "wedge");
     CHECK(client.notices.empty());
-    SetFormation shape{GroupId{1}, {}};
-    shape.formation.kind = FormationKind::Ring;
+    const ChangeGroup shape{.group = {1}, .formation = FormationDef{.kind = FormationKind::Ring}};
     const std::vector<CommandBody> bad{shape, SetPose{GroupId{1}, {0, 0}, 1e9}};
     client.send(protocol::Commands{commandBytes(bad)});
     run(session, 0.1, {&client});

@@ -61,9 +61,7 @@ inline protocol::Commands commandsOf(const std::string& events) {
 }
 /// Another formation of the usual spacing.
 inline protocol::Commands shaped(std::uint32_t group, FormationKind kind) {
-    SetFormation set{GroupId{group}, {}};
-    set.formation.kind = kind;
-    return commandsOf(set);
+    return commandsOf(ChangeGroup{.group = {group}, .formation = FormationDef{.kind = kind}});
 }
 /// An edit with the commands of a list of events.
 inline protocol::Edit edited(const std::string& label, std::uint32_t gesture, const std::string& events) {

@@ -23,7 +23,7 @@ std::vector<std::vector<std::uint8_t>> everyMessage() {
             protocol::encode(commandsOf(PinControl{GroupId{1}, ControlId{1}, true})),
             protocol::encode(commandsOf(RemoveControl{GroupId{1}, ControlId{1}})),
             protocol::encode(shaped(1, FormationKind::Wedge)),
-            protocol::encode(commandsOf(SetCount{GroupId{1}, 12})),
+            protocol::encode(commandsOf(ChangeGroup{.group = GroupId{1}, .count = 12})),
             protocol::encode(commandsOf(SetParameter{"plan.exponent", 1.5})),
             protocol::encode(protocol::Playback{protocol::PlaybackAction::SingleStep}),
             protocol::encode(protocol::SetSpeed{2.0f}),
@@ -139,9 +139,9 @@ TEST_CASE("Numbers out of range are refused, and accepted at the limit") {
     checkRefused(session, commandsOf(AddControl{GroupId{1}, ControlKind::Point, {1}, {{0, 0}}, kNan}),
                  "Commands");
     checkRefused(session, shaped(1, static_cast<FormationKind>(99)), "Commands");
-    checkRefused(session, commandsOf(SetCount{GroupId{1}, 0}), "Commands");
-    checkRefused(session, commandsOf(SetCount{GroupId{1}, 20001}), "Commands");
-    checkRefused(session, commandsOf(SetCount{GroupId{1}, -1}), "Commands");
+    checkRefused(session, commandsOf(ChangeGroup{.group = GroupId{1}, .count = 0}), "Commands");
+    checkRefused(session, commandsOf(ChangeGroup{.group = GroupId{1}, .count = 20001}), "Commands");
+    checkRefused(session, commandsOf(ChangeGroup{.group = GroupId{1}, .count = -1}), "Commands");
     checkRefused(session, commandsOf(SetParameter{"plan.exponent", kNan}), "Commands");
     checkRefused(session, commandsOf(SetParameter{"no.such", 1.0}), "Commands");
     checkRefused(session, protocol::SetSpeed{0.0999f}, "SetSpeed");
@@ -156,7 +156,7 @@ TEST_CASE("Numbers out of range are refused, and accepted at the limit") {
     FakeClient client(session);
     for (const float factor : {0.1f, 8.0f}) client.send(protocol::SetSpeed{factor});
     client.send(protocol::SetSpeed{1.0f});
-    client.send(commandsOf(SetCount{GroupId{1}, 1}));
+    client.send(commandsOf(ChangeGroup{.group = GroupId{1}, .count = 1}));
     client.poll();
     CHECK(client.notices.empty());
 }

@@ -229,7 +229,7 @@ TEST_CASE("whole poses follow the crowd as it grows, shrinks and restarts") {
     run(session, 0.2, {&client});
     const auto group = static_cast<std::uint32_t>(client.meshes.front().group);
     for (const std::uint32_t count : {40u, 3u, 25u}) {
-        client.send(commandsOf(SetCount{GroupId{group}, count}));
+        client.send(commandsOf(ChangeGroup{.group = GroupId{group}, .count = count}));
         run(session, 0.3, {&client});
         const protocol::Frame& frame = client.frames.back();
         CHECK(frame.crowd.count == count);

@@ -303,13 +303,13 @@ TEST_CASE("how a group looks is one step of undo, shown in the scene and kept by
     const Look looks[] = {{"colourGroup",
                            R"("colour":"#D60EA8")",
                            R"("colour":"#05536d")",
-                           ColourGroup{GroupId{1}, 0x1000000},
+                           ChangeGroup{.group = GroupId{1}, .colour = GroupColour{0x1000000}},
                            {.colour = 0xD60EA8},
                            {.colour = 0x05536D}},
                           {"appearance",
                            R"("build":"narrow","motions":"march")",
                            R"("motions":"weary")",
-                           SetAppearance{GroupId{1}, {}, static_cast<MotionSet>(9)},
+                           ChangeGroup{.group = GroupId{1}, .look = GroupLook{{}, static_cast<MotionSet>(9)}},
                            {.build = BodyBuild::Narrow, .motions = MotionSet::March},
                            {.motions = MotionSet::Weary}}};
     for (const Look& look : looks) {
@@ -377,7 +377,7 @@ TEST_CASE("sorts of persons are one step of undo, draw who is there, and are kep
     CHECK(radii() == mixed);
     PeopleDef less;
     less.share = -1.0;
-    desk.edit(SetPeople{GroupId{1}, {less}});
+    desk.edit(ChangeGroup{.group = GroupId{1}, .people = std::vector<PeopleDef>{less}});
     CHECK(desk.client.noticed("Edit").find("share") != std::string::npos);
     CHECK(desk.client.history.undo == 1);
 }

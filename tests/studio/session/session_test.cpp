@@ -200,7 +200,7 @@ TEST_CASE("Formation, count and parameters change the world and the scene") {
     FakeClient client(session);
     run(session, 0.1, {&client});
     client.send(shaped(1, FormationKind::Wedge));
-    client.send(commandsOf(SetCount{GroupId{1}, 20}));
+    client.send(commandsOf(ChangeGroup{.group = GroupId{1}, .count = 20}));
     client.send(commandsOf(SetParameter{"plan.exponent", 1.0}));
     run(session, 0.2, {&client});
     CHECK(client.meshes.back().formation == "wedge");

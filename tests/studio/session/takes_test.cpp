@@ -428,7 +428,7 @@ TEST_CASE("Recording goes on through Watch and Restart; a part in which nobody d
     SessionDef def = sessionDef();
     shelf.serve(def);
     def.loadGestures = [](const std::string&, const WorldDef&) -> Result<std::vector<Command>> {
-        return std::vector<Command>{{5, 1, 1, SetFormation{GroupId{1}, {}}}};
+        return std::vector<Command>{{5, 1, 1, ChangeGroup{.group = GroupId{1}, .formation = FormationDef{}}}};
     };
     WorldDef floor = smallFloor();
     floor.gestures = "gestures.json";

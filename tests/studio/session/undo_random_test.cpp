@@ -36,16 +36,21 @@ std::string groupText(const World& world, std::size_t g) {
     const GroupView view = world.group(g);
     const GroupDef def = world.groupDef(g);
     std::string text = def.name + " " + std::to_string(view.members.size());
-    text += textOf(ColourGroup{{}, def.colour}) + textOf(SetAppearance{{}, def.build, def.motions});
-    text += textOf(SetPeople{{}, def.people}) + textOf(SetConduct{{}, def.conduct});
-    text += textOf(SetRoles{{}, def.roles}) + textOf(SetDemands{{}, def.demands});
-    if (!view.members.empty()) text += textOf(SetFormation{{}, inspect::ownFormation(world, g)});
+    text += textOf(ChangeGroup{.group = {}, .colour = GroupColour{def.colour}}) +
+            textOf(ChangeGroup{.group = {}, .look = GroupLook{def.build, def.motions}});
+    text += textOf(ChangeGroup{.group = {}, .people = def.people}) +
+            textOf(ChangeGroup{.group = {}, .conduct = def.conduct});
+    text += textOf(ChangeGroup{.group = {}, .roles = def.roles}) +
+            textOf(ChangeGroup{.group = {}, .demands = def.demands});
+    if (!view.members.empty())
+        text += textOf(ChangeGroup{.group = {}, .formation = inspect::ownFormation(world, g)});
     for (const QueuedOrder& order : view.orders) text += textOf(GiveOrder{{}, {}, 0, order.order});
     text += view.held ? " held" : "";
     text += view.patrols ? " patrols" : "";
     std::vector<std::string> bodies;
     for (const std::int32_t member : view.members)
-        bodies.push_back(textOf(SetBodies{{}, {world.characters().body[static_cast<std::size_t>(member)]}}));
+        bodies.push_back(textOf(ChangeCharacters{
+            {}, std::vector<Body>{world.characters().body[static_cast<std::size_t>(member)]}, {}}));
     putSorted(text, bodies);
     return text;
 }
@@ -149,9 +154,11 @@ struct TwoDirectors : UndoDesk {
         const GroupId id = anyGroup(), second = anyGroup();
         switch (draw(orders ? 14 : 11)) {
             case 0:
-                return SetFormation{id, anyFormation()};
+                return ChangeGroup{.group = id, .formation = anyFormation()};
             case 1:
-                return SetConduct{id, {static_cast<Stance>(draw(3)), 0.1 * draw(10), 1.0, draw(2) == 0}};
+                return ChangeGroup{
+                    .group = id,
+                    .conduct = Conduct{static_cast<Stance>(draw(3)), 0.1 * draw(10), 1.0, draw(2) == 0}};
             case 2:
                 return SplitGroup{id,
                                   SplitBy::Shares,
@@ -168,13 +175,13 @@ struct TwoDirectors : UndoDesk {
             case 5:
                 return TransferCharacters{anyMembers(id, 3), second};
             case 6:
-                return RemoveCharacters{anyMembers(id, 2)};
+                return TransferCharacters{anyMembers(id, 2), {}};
             case 7:
                 return AddCharacters{id, {{place(), place()}, {place(), place()}}, {anyBody()}};
             case 8:
-                return SetBodies{anyMembers(id, 3), {anyBody()}};
+                return ChangeCharacters{anyMembers(id, 3), std::vector<Body>{anyBody()}, {}};
             case 9:
-                return SetRoles{id, {{RoleArea::Rim, 1}}};
+                return ChangeGroup{.group = id, .roles = std::vector<RoleDef>{{RoleArea::Rim, 1}}};
             case 10:
                 return SetPose{id, {place(), place()}, 0.1 * draw(30)};
             default:
@@ -193,13 +200,13 @@ struct TwoDirectors : UndoDesk {
             }
             case 1:
                 if (!world().obstacleIds().empty()) return removeThing(among(world().obstacleIds()));
-                return ColourGroup{id, draw(1000)};
+                return ChangeGroup{.group = id, .colour = GroupColour{draw(1000)}};
             case 2:
                 if (world().itemIds().empty() || draw(2) == 0) return putThing(ItemDef{{40.0, place()}, 0.3});
                 return putThing(ItemDef{{40.0, place()}, 0.4}, among(world().itemIds()));
             case 3:
                 if (!world().itemIds().empty()) return removeThing(among(world().itemIds()));
-                return SetAppearance{id, BodyBuild::Narrow, {}};
+                return ChangeGroup{.group = id, .look = GroupLook{BodyBuild::Narrow, {}}};
             case 4: {
                 FormationCheckpointDef checkpoint{.position = {55.0, place()}};
                 if (world().checkpointIds().empty() || draw(2) == 0) return putThing(checkpoint);
@@ -207,7 +214,7 @@ struct TwoDirectors : UndoDesk {
             }
             case 5:
                 if (!world().checkpointIds().empty()) return removeThing(among(world().checkpointIds()));
-                return NameGroup{id, "Name " + std::to_string(draw(100))};
+                return ChangeGroup{.group = id, .name = "Name " + std::to_string(draw(100))};
             case 6: {
                 AreaDef area{.polygon = {{50, 50}, {55, 50}, {55, 50.0 + 1 + draw(5)}}};
                 if (world().areaCount() == 0 || draw(2) == 0) return putThing(area);
@@ -215,9 +222,9 @@ struct TwoDirectors : UndoDesk {
             }
             case 7:
                 if (world().areaCount() > 0) return removeThing(world().area(draw(world().areaCount())).id);
-                return SetCount{id, 4 + static_cast<std::int32_t>(draw(20))};
+                return ChangeGroup{.group = id, .count = 4 + static_cast<std::int32_t>(draw(20))};
             case 8:
-                return SetCount{id, 4 + static_cast<std::int32_t>(draw(20))};
+                return ChangeGroup{.group = id, .count = 4 + static_cast<std::int32_t>(draw(20))};
             case 9: {
                 return AddGroup{.group = {.name = "New " + std::to_string(draw(1000)),
                                           .count = 5,
@@ -225,9 +232,9 @@ struct TwoDirectors : UndoDesk {
             }
             case 10:
                 if (world().groupCount() > 2) return RemoveGroup{id};
-                return NameGroup{id, "Name " + std::to_string(draw(100))};
+                return ChangeGroup{.group = id, .name = "Name " + std::to_string(draw(100))};
             case 11:
-                return PlaceGroup{id, {place(), place()}, 0.1 * draw(20)};
+                return SetPose{id, {place(), place()}, 0.1 * draw(20), true};
             case 12: {
                 PatchDef patch{.polygon = {{-50, -50}, {-45, -50}, {-45, -49.0 + draw(4)}}};
                 if (world().patchIds().empty() || draw(2) == 0) return putThing(patch);
@@ -235,7 +242,7 @@ struct TwoDirectors : UndoDesk {
             }
             case 13:
                 if (!world().patchIds().empty()) return removeThing(among(world().patchIds()));
-                return SetFormation{id, anyFormation()};
+                return ChangeGroup{.group = id, .formation = anyFormation()};
             default:
                 return SetParameter{"plan.exponent", 1.0 + 0.1 * draw(9)};
         }

@@ -1,12 +1,12 @@
 // Orders and changes of units: what a Commands message carries.
 
 import type {
+  ChangeGroupCommand,
   EditQueueCommand,
   FormationDef,
   Given,
   GiveOrderCommand,
   MergeGroupsCommand,
-  SetConductCommand,
   SplitGroupCommand,
 } from '../protocol/generated/commands';
 import {
@@ -115,8 +115,8 @@ export function queueCommand(group: number, edit: QueueEditWord, order = 0): Edi
   return { kind: 'queue', group, edit, order };
 }
 
-export function conductCommand(group: number, conduct: ConductFacts): SetConductCommand {
-  return { kind: 'conduct', group, conduct };
+export function conductCommand(group: number, conduct: ConductFacts): ChangeGroupCommand {
+  return { kind: 'changeGroup', group, conduct };
 }
 
 /** Those to the left of a line, looking from its first point to its second, leave. */

@@ -63,7 +63,7 @@ it('what a command leaves out is as the declarations say', () => {
 it('a message has the commands one after the other, and their length', () => {
   const commands: Command[] = [
     { kind: 'removeThing', thing: 'item', id: 7 },
-    { kind: 'nameGroup', group: 1, name: 'Zoë' },
+    { kind: 'changeGroup', group: 1, name: 'Zoë' },
   ];
   const size = commands.reduce((sum, command) => sum + sizeOf('Command', command), 0);
   expect(encodeClient({ type: 'Commands', commands }).byteLength).toBe(1 + 4 + size);

@@ -138,7 +138,7 @@ describe('OrderDesk', () => {
     const conduct = { stance: 'hold', cohesion: 0.5, squeeze: 0.25, avoids: false } as const;
     store.set({ units: [{ id: 4, orders: [], held: false, patrols: false, conduct, classes: [] }] });
     desk.setConduct({ squeeze: 1 });
-    expect(commands()).toEqual([{ kind: 'conduct', group: 4, conduct: { ...conduct, squeeze: 1 } }]);
+    expect(commands()).toEqual([{ kind: 'changeGroup', group: 4, conduct: { ...conduct, squeeze: 1 } }]);
   });
 
   it('tells why a stroke did nothing', () => {

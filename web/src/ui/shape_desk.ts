@@ -145,7 +145,7 @@ export class ShapeDesk implements ShapeActions, OutlineSink {
     const { group } = this.active();
     if (!group) return;
     this.endTry('drop');
-    this.send([{ kind: 'formation', group: group.id, formation: formationOf(shape) }]);
+    this.send([{ kind: 'changeGroup', group: group.id, formation: formationOf(shape) }]);
     this.host_.say(`${group.name}: ${title}`);
   }
 
@@ -199,7 +199,7 @@ export class ShapeDesk implements ShapeActions, OutlineSink {
     }
     const { formation, here, centre } = drawn;
     const move = moveCommand(group.id, { target: centre, facing, width: 0, route: [], formation }, kStyle);
-    this.send(here ? [{ kind: 'formation', group: group.id, formation }] : [move]);
+    this.send(here ? [{ kind: 'changeGroup', group: group.id, formation }] : [move]);
     if (this.drawHeld_) this.drawHeld_.used = true;
     else this.host_.store.set({ tool: 'steer' });
     this.host_.say(`${group.name}: drawn outline`);

@@ -69,7 +69,7 @@ describe('StudioController', () => {
     store.set({ groups: [{ ...group, id: 1 }, group], active: 1 });
     controller.setFormation('ring');
     const formation = { kind: 'ring', spacing: 1.5 };
-    expect(sent).toEqual([{ type: 'Commands', commands: [{ kind: 'formation', group: 7, formation }] }]);
+    expect(sent).toEqual([{ type: 'Commands', commands: [{ kind: 'changeGroup', group: 7, formation }] }]);
     expect(said).toEqual(['North: ring with the next step']);
     store.set({ playing: true });
     controller.setFormation('line');

@@ -145,7 +145,7 @@ export class StudioController implements StudioActions {
     const group = groups[active];
     if (!group) return;
     const formation = { kind: formationKind(name), spacing: this.shapes_.shape()?.spacing ?? 1 };
-    this.client_.send({ type: 'Commands', commands: [{ kind: 'formation', group: group.id, formation }] });
+    this.client_.send({ type: 'Commands', commands: [{ kind: 'changeGroup', group: group.id, formation }] });
     // The change is announced when it happens.
     if (!this.store_.state.playing) this.say_(`${group.name}: ${name} with the next step`);
   }

@@ -81,12 +81,12 @@ async function oneGroupOnly(studio, other) {
   await other.page.locator('.notice', { hasText: 'to direct' }).waitFor();
   await other.send({
     type: 'Commands',
-    commands: [{ kind: 'formation', group: first.id, formation: { kind: 'ring' } }],
+    commands: [{ kind: 'changeGroup', group: first.id, formation: { kind: 'ring' } }],
   });
   await other.page.locator('.notice', { hasText: 'not yours to direct' }).waitFor();
   await other.send({
     type: 'Commands',
-    commands: [{ kind: 'formation', group: wanted.id, formation: { kind: 'ring' } }],
+    commands: [{ kind: 'changeGroup', group: wanted.id, formation: { kind: 'ring' } }],
   });
   await studio.eventually(async () => {
     const { groups } = await studio.page.evaluate(() => globalThis.__muster.state);

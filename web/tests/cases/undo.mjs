@@ -146,7 +146,7 @@ async function undoOfTwo(studio) {
 async function oneHistory(studio) {
   const { page } = studio;
   const group = (await studio.frame()).groups[0].id;
-  await send(studio, { kind: 'formation', group, formation: { kind: 'ring' } });
+  await send(studio, { kind: 'changeGroup', group, formation: { kind: 'ring' } });
   await shapeToBe(studio, 'ring');
   await page.keyboard.press('Shift+E');
   await page.getByRole('button', { name: 'Undo change shape' }).waitFor();

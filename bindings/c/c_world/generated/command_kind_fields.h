@@ -57,20 +57,24 @@ void fields(M& m, C<M, MusterReleaseClient>& c, P<M, ReleaseClient>& p) {
     m.plain(c.unused, p.unused);
 }
 template <class M>
-void fields(M& m, C<M, MusterSetFormation>& c, P<M, SetFormation>& p) {
+void fields(M& m, C<M, MusterChangeGroup>& c, P<M, ChangeGroup>& p) {
     m.id(c.group, p.group);
-    m.part(c.formation, p.formation, "formation");
-}
-template <class M>
-void fields(M& m, C<M, MusterSetCount>& c, P<M, SetCount>& p) {
-    m.id(c.group, p.group);
-    m.plain(c.count, p.count);
+    m.optionalPart(c.formation, p.formation, "formation");
+    m.optional(c.hasCount, c.count, p.count);
+    if (m.given(c.hasPeople, p.people)) m.items(c.people, c.peopleCount, *p.people, "people");
+    m.optionalPart(c.conduct, p.conduct, "conduct");
+    if (m.given(c.hasRoles, p.roles)) m.items(c.roles, c.roleCount, *p.roles, "roles");
+    if (m.given(c.hasDemands, p.demands)) m.list(c.demands, c.demandCount, *p.demands, "demands");
+    if (m.given(c.hasName, p.name)) m.text(c.name, *p.name);
+    m.optionalPart(c.colour, p.colour, "colour");
+    m.optionalPart(c.look, p.look, "look");
 }
 template <class M>
 void fields(M& m, C<M, MusterSetPose>& c, P<M, SetPose>& p) {
     m.id(c.group, p.group);
     m.plain(c.position, p.position);
     m.plain(c.angle, p.angle);
+    m.plain(c.characters, p.characters);
 }
 template <class M>
 void fields(M& m, C<M, MusterAddGroup>& c, P<M, AddGroup>& p) {
@@ -114,19 +118,10 @@ void fields(M& m, C<M, MusterEditQueue>& c, P<M, EditQueue>& p) {
     m.plain(c.order, p.order);
 }
 template <class M>
-void fields(M& m, C<M, MusterSetConduct>& c, P<M, SetConduct>& p) {
-    m.id(c.group, p.group);
-    m.part(c.conduct, p.conduct, "conduct");
-}
-template <class M>
 void fields(M& m, C<M, MusterAddCharacters>& c, P<M, AddCharacters>& p) {
     m.id(c.group, p.group);
     m.list(c.positions, c.positionCount, p.positions, "positions");
     m.list(c.bodies, c.bodyCount, p.bodies, "bodies");
-}
-template <class M>
-void fields(M& m, C<M, MusterRemoveCharacters>& c, P<M, RemoveCharacters>& p) {
-    m.list(c.ids, c.idCount, p.ids, "ids");
 }
 template <class M>
 void fields(M& m, C<M, MusterTransferCharacters>& c, P<M, TransferCharacters>& p) {
@@ -149,57 +144,16 @@ void fields(M& m, C<M, MusterMergeGroups>& c, P<M, MergeGroups>& p) {
     m.choice(c.shape, p.shape, kLastOf<PartShape>, "shape");
 }
 template <class M>
-void fields(M& m, C<M, MusterSetBodies>& c, P<M, SetBodies>& p) {
+void fields(M& m, C<M, MusterChangeCharacters>& c, P<M, ChangeCharacters>& p) {
     m.list(c.ids, c.idCount, p.ids, "ids");
-    m.list(c.bodies, c.bodyCount, p.bodies, "bodies");
-}
-template <class M>
-void fields(M& m, C<M, MusterSetRoles>& c, P<M, SetRoles>& p) {
-    m.id(c.group, p.group);
-    m.items(c.roles, c.roleCount, p.roles, "roles");
-}
-template <class M>
-void fields(M& m, C<M, MusterSetDemands>& c, P<M, SetDemands>& p) {
-    m.id(c.group, p.group);
-    m.list(c.demands, c.demandCount, p.demands, "demands");
-}
-template <class M>
-void fields(M& m, C<M, MusterSetDriver>& c, P<M, SetDriver>& p) {
-    m.list(c.ids, c.idCount, p.ids, "ids");
-    m.choice(c.driver, p.driver, kLastOf<Driver>, "driver");
+    if (m.given(c.hasBodies, p.bodies)) m.list(c.bodies, c.bodyCount, *p.bodies, "bodies");
+    m.optionalChoice(c.hasDriver, c.driver, p.driver, kLastOf<Driver>, "driver");
 }
 template <class M>
 void fields(M& m, C<M, MusterWriteMotion>& c, P<M, WriteMotion>& p) {
     m.list(c.ids, c.idCount, p.ids, "ids");
     m.list(c.positions, c.positionCount, p.positions, "positions");
     m.list(c.velocities, c.velocityCount, p.velocities, "velocities");
-}
-template <class M>
-void fields(M& m, C<M, MusterPlaceGroup>& c, P<M, PlaceGroup>& p) {
-    m.id(c.group, p.group);
-    m.plain(c.position, p.position);
-    m.plain(c.angle, p.angle);
-}
-template <class M>
-void fields(M& m, C<M, MusterNameGroup>& c, P<M, NameGroup>& p) {
-    m.id(c.group, p.group);
-    m.text(c.name, p.name);
-}
-template <class M>
-void fields(M& m, C<M, MusterColourGroup>& c, P<M, ColourGroup>& p) {
-    m.id(c.group, p.group);
-    m.optional(c.hasColour, c.colour, p.colour);
-}
-template <class M>
-void fields(M& m, C<M, MusterSetAppearance>& c, P<M, SetAppearance>& p) {
-    m.id(c.group, p.group);
-    m.optionalChoice(c.hasBuild, c.build, p.build, kLastOf<BodyBuild>, "build");
-    m.optionalChoice(c.hasMotions, c.motions, p.motions, kLastOf<MotionSet>, "motions");
-}
-template <class M>
-void fields(M& m, C<M, MusterSetPeople>& c, P<M, SetPeople>& p) {
-    m.id(c.group, p.group);
-    m.items(c.people, c.peopleCount, p.people, "people");
 }
 template <class M>
 void fields(M& m, C<M, MusterReverseQueue>& c, P<M, ReverseQueue>& p) {
@@ -217,8 +171,7 @@ inline constexpr std::tuple kCommandMembers{
     &MusterCommandBody::pinControl,
     &MusterCommandBody::removeControl,
     &MusterCommandBody::releaseClient,
-    &MusterCommandBody::setFormation,
-    &MusterCommandBody::setCount,
+    &MusterCommandBody::changeGroup,
     &MusterCommandBody::setPose,
     &MusterCommandBody::addGroup,
     &MusterCommandBody::removeGroup,
@@ -227,22 +180,12 @@ inline constexpr std::tuple kCommandMembers{
     &MusterCommandBody::setParameter,
     &MusterCommandBody::giveOrder,
     &MusterCommandBody::editQueue,
-    &MusterCommandBody::setConduct,
     &MusterCommandBody::addCharacters,
-    &MusterCommandBody::removeCharacters,
     &MusterCommandBody::transferCharacters,
     &MusterCommandBody::splitGroup,
     &MusterCommandBody::mergeGroups,
-    &MusterCommandBody::setBodies,
-    &MusterCommandBody::setRoles,
-    &MusterCommandBody::setDemands,
-    &MusterCommandBody::setDriver,
+    &MusterCommandBody::changeCharacters,
     &MusterCommandBody::writeMotion,
-    &MusterCommandBody::placeGroup,
-    &MusterCommandBody::nameGroup,
-    &MusterCommandBody::colourGroup,
-    &MusterCommandBody::setAppearance,
-    &MusterCommandBody::setPeople,
     &MusterCommandBody::reverseQueue,
 };
 // clang-format on

@@ -214,6 +214,15 @@ void fields(M& m, C<M, MusterGroupDef>& c, P<M, GroupDef>& p) {
     m.items(c.people, c.peopleCount, p.people, "people");
 }
 template <class M>
+void fields(M& m, C<M, MusterGroupColour>& c, P<M, GroupColour>& p) {
+    m.optional(c.hasColour, c.colour, p.colour);
+}
+template <class M>
+void fields(M& m, C<M, MusterGroupLook>& c, P<M, GroupLook>& p) {
+    m.optionalChoice(c.hasBuild, c.build, p.build, kLastOf<BodyBuild>, "build");
+    m.optionalChoice(c.hasMotions, c.motions, p.motions, kLastOf<MotionSet>, "motions");
+}
+template <class M>
 void fields(M& m, C<M, MusterCheckpointDef>& c, P<M, FormationCheckpointDef>& p) {
     m.template version<MusterCheckpointDef>(c.structVersion);
     m.plain(c.position, p.position);

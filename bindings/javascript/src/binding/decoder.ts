@@ -42,6 +42,10 @@ export class Decoder {
     // What belongs to nobody would not be valid for long.
     const listMode = mode === 'readOut' && !owner ? 'copy' : mode;
     if (shape === 'list') return this.list(type, pointer(), view.getInt32(start + extra, true), listMode, owner);
+    if (shape === 'given')
+      return view.getUint8(start + extra) === 0
+        ? null
+        : this.list(type, pointer(), view.getInt32(at + kPointer, true), listMode, owner);
     if (shape === 'maybe') return pointer() === 0 ? null : this.one(type, pointer(), owner);
     if (shape === 'has') return view.getUint8(start + extra) === 0 ? null : this.one(type, at, owner, view);
     if (shape === 'fixed')

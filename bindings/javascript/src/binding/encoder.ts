@@ -136,14 +136,14 @@ export class Encoder {
     const { type, shape, extra } = field;
     const here = at + field.at;
     const number = (where: number, what: number): void => this.memory_.view.setUint32(where, what, true);
-    if (shape === 'list') {
+    if (shape === 'has' || shape === 'given') this.memory_.view.setUint8(at + extra, value === null ? 0 : 1);
+    if (shape === 'list' || shape === 'given') {
       const { at: items, count } = value === null ? kNone : this.list(type, value, place);
       number(here, items);
-      number(at + extra, count);
+      number(shape === 'list' ? at + extra : here + kPointer, count);
     } else if (shape === 'maybe') {
       number(here, value === null ? 0 : this.struct(type, value, place));
-    } else if (shape === 'has') {
-      this.memory_.view.setUint8(at + extra, value === null ? 0 : 1);
+    } else if (shape === 'has' && type !== 'text') {
       if (value !== null) this.one(type, here, value, place);
     } else if (shape === 'fixed') {
       if (!Array.isArray(value) || value.length !== extra) throw wrongValue(place, value, `an array of ${extra}`);

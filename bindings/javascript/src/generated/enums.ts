@@ -423,62 +423,40 @@ export const CommandKind = {
   RemoveControl: 6,
   /** Its body is `releaseClient`. */
   ReleaseClient: 7,
-  /** Its body is `setFormation`. */
-  SetFormation: 8,
-  /** Its body is `setCount`. */
-  SetCount: 9,
+  /** Its body is `changeGroup`. */
+  ChangeGroup: 8,
   /** Its body is `setPose`. */
-  SetPose: 10,
+  SetPose: 9,
   /** Its body is `addGroup`. */
-  AddGroup: 11,
+  AddGroup: 10,
   /** Its body is `removeGroup`. */
-  RemoveGroup: 12,
+  RemoveGroup: 11,
   /** Its body is `putThing`. */
-  PutThing: 13,
+  PutThing: 12,
   /** Its body is `removeThing`. */
-  RemoveThing: 14,
+  RemoveThing: 13,
   /** Its body is `setParameter`. */
-  SetParameter: 15,
+  SetParameter: 14,
   /** Its body is `giveOrder`. */
-  GiveOrder: 16,
+  GiveOrder: 15,
   /** Its body is `editQueue`. */
-  EditQueue: 17,
-  /** Its body is `setConduct`. */
-  SetConduct: 18,
+  EditQueue: 16,
   /** Its body is `addCharacters`. */
-  AddCharacters: 19,
-  /** Its body is `removeCharacters`. */
-  RemoveCharacters: 20,
+  AddCharacters: 17,
   /** Its body is `transferCharacters`. */
-  TransferCharacters: 21,
+  TransferCharacters: 18,
   /** Its body is `splitGroup`. */
-  SplitGroup: 22,
+  SplitGroup: 19,
   /** Its body is `mergeGroups`. */
-  MergeGroups: 23,
-  /** Its body is `setBodies`. */
-  SetBodies: 24,
-  /** Its body is `setRoles`. */
-  SetRoles: 25,
-  /** Its body is `setDemands`. */
-  SetDemands: 26,
-  /** Its body is `setDriver`. */
-  SetDriver: 27,
+  MergeGroups: 20,
+  /** Its body is `changeCharacters`. */
+  ChangeCharacters: 21,
   /** Its body is `writeMotion`. */
-  WriteMotion: 28,
-  /** Its body is `placeGroup`. */
-  PlaceGroup: 29,
-  /** Its body is `nameGroup`. */
-  NameGroup: 30,
-  /** Its body is `colourGroup`. */
-  ColourGroup: 31,
-  /** Its body is `setAppearance`. */
-  SetAppearance: 32,
-  /** Its body is `setPeople`. */
-  SetPeople: 33,
+  WriteMotion: 22,
   /** Its body is `reverseQueue`. */
-  ReverseQueue: 34,
+  ReverseQueue: 23,
   /** Number of kinds. */
-  Count: 35,
+  Count: 24,
 } as const;
 export type CommandKind = (typeof CommandKind)[keyof typeof CommandKind];
 

@@ -746,6 +746,34 @@ export interface GroupDefInit {
   readonly people?: readonly PeopleDefInit[] | undefined;
 }
 
+/** The colour of a group. */
+export interface GroupColour {
+  /** Colour for display, 0xRRGGBB. Null: the palette's. */
+  colour: number | null;
+}
+
+/** What may be given of GroupColour. */
+export interface GroupColourInit {
+  /** Colour for display, 0xRRGGBB. Null: the palette's. */
+  readonly colour?: number | null | undefined;
+}
+
+/** How the people of a group look. */
+export interface GroupLook {
+  /** Build of its drawn bodies. Null: both, by the character's id. */
+  build: BodyBuild | null;
+  /** How it walks and jogs. Null: the plain manner. */
+  motions: MotionSet | null;
+}
+
+/** What may be given of GroupLook. */
+export interface GroupLookInit {
+  /** Build of its drawn bodies. Null: both, by the character's id. */
+  readonly build?: BodyBuild | null | undefined;
+  /** How it walks and jogs. Null: the plain manner. */
+  readonly motions?: MotionSet | null | undefined;
+}
+
 /** A disc that changes the formation of a group which passes it. */
 export interface CheckpointDef {
   /** Centre [m]. */
@@ -1053,39 +1081,83 @@ export interface ReleaseClientInit {
   readonly unused?: number | undefined;
 }
 
-/** The group takes another formation. */
-export interface SetFormation {
+/**
+ * Changes what a group is. What is not given stays as it is. First comes the formation with its number of places,
+ * then the sorts of people, who joins or leaves, and all else. Where one of them cannot be, none is changed.
+ */
+export interface ChangeGroup {
   /** Group to change. */
   group: GroupId;
-  /** Its new definition. */
-  formation: FormationDef;
+  /** Its formation; null for the one that it has. */
+  formation: FormationDef | null;
+  /**
+   * Its number of characters: new ones join behind the mesh, those with the highest ids leave first. Null: the
+   * number that it has.
+   */
+  count: number | null;
+  /**
+   * Its sorts of persons, none where all are as GroupDef.bodies say. Persons who join it are drawn by them from
+   * now on. Its present members are drawn again, as those who come at once: each number that neither the sorts
+   * before nor these draw stays as it is. A person who has heard an order sets out when it was to. Null: the sorts
+   * that it has.
+   */
+  people: PeopleDef[] | null;
+  /** How it behaves; null for as it does. */
+  conduct: Conduct | null;
+  /** Which class stands where, in the order in which they choose places. Null: the roles that it has. */
+  roles: RoleDef[] | null;
+  /**
+   * How many units of supply each place demands, 0 to 1000, of each place, or none for 1 each. Null: the demands
+   * that these have.
+   */
+  demands: number[] | null;
+  /** Its name, of at most 4,096 bytes. Null: the one that it has. */
+  name: string | null;
+  /** Its colour; null for the one that it has. */
+  colour: GroupColour | null;
+  /** How its people look; null for as they do. */
+  look: GroupLook | null;
 }
 
-/** What may be given of SetFormation. */
-export interface SetFormationInit {
+/** What may be given of ChangeGroup. */
+export interface ChangeGroupInit {
   /** Group to change. */
   readonly group?: GroupId | undefined;
-  /** Its new definition. */
-  readonly formation?: FormationDefInit | undefined;
+  /** Its formation; null for the one that it has. */
+  readonly formation?: FormationDefInit | null | undefined;
+  /**
+   * Its number of characters: new ones join behind the mesh, those with the highest ids leave first. Null: the
+   * number that it has.
+   */
+  readonly count?: number | null | undefined;
+  /**
+   * Its sorts of persons, none where all are as GroupDef.bodies say. Persons who join it are drawn by them from
+   * now on. Its present members are drawn again, as those who come at once: each number that neither the sorts
+   * before nor these draw stays as it is. A person who has heard an order sets out when it was to. Null: the sorts
+   * that it has.
+   */
+  readonly people?: readonly PeopleDefInit[] | null | undefined;
+  /** How it behaves; null for as it does. */
+  readonly conduct?: ConductInit | null | undefined;
+  /** Which class stands where, in the order in which they choose places. Null: the roles that it has. */
+  readonly roles?: readonly RoleDef[] | null | undefined;
+  /**
+   * How many units of supply each place demands, 0 to 1000, of each place, or none for 1 each. Null: the demands
+   * that these have.
+   */
+  readonly demands?: ArrayLike<number> | null | undefined;
+  /** Its name, of at most 4,096 bytes. Null: the one that it has. */
+  readonly name?: string | null | undefined;
+  /** Its colour; null for the one that it has. */
+  readonly colour?: GroupColourInit | null | undefined;
+  /** How its people look; null for as they do. */
+  readonly look?: GroupLookInit | null | undefined;
 }
 
-/** Changes the number of characters. New ones join behind the mesh; those with the highest ids leave first. */
-export interface SetCount {
-  /** Group to change. */
-  group: GroupId;
-  /** New number of characters. */
-  count: number;
-}
-
-/** What may be given of SetCount. */
-export interface SetCountInit {
-  /** Group to change. */
-  readonly group?: GroupId | undefined;
-  /** New number of characters. */
-  readonly count?: number | undefined;
-}
-
-/** Moves the mesh at once; its places travel there. */
+/**
+ * Moves the mesh of a group at once; its places and its characters walk there, or stand there at once. Its orders
+ * and controls end.
+ */
 export interface SetPose {
   /** Group to move. */
   group: GroupId;
@@ -1093,6 +1165,8 @@ export interface SetPose {
   position: Vec2;
   /** New heading, counter-clockwise from +x [rad]. */
   angle: number;
+  /** True: its places and characters are there at once, and stand still. */
+  characters: boolean;
 }
 
 /** What may be given of SetPose. */
@@ -1103,6 +1177,8 @@ export interface SetPoseInit {
   readonly position?: Vec2 | undefined;
   /** New heading, counter-clockwise from +x [rad]. */
   readonly angle?: number | undefined;
+  /** True: its places and characters are there at once, and stand still. */
+  readonly characters?: boolean | undefined;
 }
 
 /** Adds a group. */
@@ -1244,22 +1320,6 @@ export interface EditQueueInit {
   readonly order?: OrderId | undefined;
 }
 
-/** Tells a group how to behave. */
-export interface SetConduct {
-  /** The group. */
-  group: GroupId;
-  /** How it behaves. */
-  conduct: Conduct;
-}
-
-/** What may be given of SetConduct. */
-export interface SetConductInit {
-  /** The group. */
-  readonly group?: GroupId | undefined;
-  /** How it behaves. */
-  readonly conduct?: ConductInit | undefined;
-}
-
 /** Characters join a group where they stand; places are added to its formation. Events Joined tell their ids. */
 export interface AddCharacters {
   /** Group that they join. */
@@ -1280,23 +1340,14 @@ export interface AddCharactersInit {
   readonly bodies?: readonly BodyInit[] | undefined;
 }
 
-/** Characters leave the world; the ranks behind them close up. A group may become empty, and stays. */
-export interface RemoveCharacters {
-  /** Their ids. */
-  ids: number[];
-}
-
-/** What may be given of RemoveCharacters. */
-export interface RemoveCharactersInit {
-  /** Their ids. */
-  readonly ids?: ArrayLike<number> | undefined;
-}
-
-/** Characters leave their groups for another one. Ids, positions and velocities stay. */
+/**
+ * Characters leave their groups for another one, or leave the world. Ids, positions and velocities stay. The ranks
+ * behind them close up; a group may become empty, and stays.
+ */
 export interface TransferCharacters {
   /** Their ids. */
   ids: number[];
-  /** Group that they join. */
+  /** Group that they join; 0 to leave the world. */
   group: GroupId;
 }
 
@@ -1304,7 +1355,7 @@ export interface TransferCharacters {
 export interface TransferCharactersInit {
   /** Their ids. */
   readonly ids?: ArrayLike<number> | undefined;
-  /** Group that they join. */
+  /** Group that they join; 0 to leave the world. */
   readonly group?: GroupId | undefined;
 }
 
@@ -1363,68 +1414,24 @@ export interface MergeGroupsInit {
   readonly shape?: PartShape | undefined;
 }
 
-/** Gives characters other bodies. */
-export interface SetBodies {
+/** Changes what characters are. What is not given stays as it is. */
+export interface ChangeCharacters {
   /** Their ids. */
   ids: number[];
-  /** One for each, or one for all. */
-  bodies: Body[];
+  /** Their bodies, one for each or one for all. Null: those that they have. */
+  bodies: Body[] | null;
+  /** What moves them. Null: what moves them now. */
+  driver: Driver | null;
 }
 
-/** What may be given of SetBodies. */
-export interface SetBodiesInit {
+/** What may be given of ChangeCharacters. */
+export interface ChangeCharactersInit {
   /** Their ids. */
   readonly ids?: ArrayLike<number> | undefined;
-  /** One for each, or one for all. */
-  readonly bodies?: readonly BodyInit[] | undefined;
-}
-
-/** Says which class stands where in a formation. */
-export interface SetRoles {
-  /** The group. */
-  group: GroupId;
-  /** In the order in which they choose places. */
-  roles: RoleDef[];
-}
-
-/** What may be given of SetRoles. */
-export interface SetRolesInit {
-  /** The group. */
-  readonly group?: GroupId | undefined;
-  /** In the order in which they choose places. */
-  readonly roles?: readonly RoleDef[] | undefined;
-}
-
-/** Says how many units of supply each place demands. */
-export interface SetDemands {
-  /** The group. */
-  group: GroupId;
-  /** Of each place, 0 to 1000; none for 1 each. */
-  demands: number[];
-}
-
-/** What may be given of SetDemands. */
-export interface SetDemandsInit {
-  /** The group. */
-  readonly group?: GroupId | undefined;
-  /** Of each place, 0 to 1000; none for 1 each. */
-  readonly demands?: ArrayLike<number> | undefined;
-}
-
-/** Says what moves characters. */
-export interface SetDriver {
-  /** Their ids. */
-  ids: number[];
-  /** What moves them. */
-  driver: Driver;
-}
-
-/** What may be given of SetDriver. */
-export interface SetDriverInit {
-  /** Their ids. */
-  readonly ids?: ArrayLike<number> | undefined;
-  /** What moves them. */
-  readonly driver?: Driver | undefined;
+  /** Their bodies, one for each or one for all. Null: those that they have. */
+  readonly bodies?: readonly BodyInit[] | null | undefined;
+  /** What moves them. Null: what moves them now. */
+  readonly driver?: Driver | null | undefined;
 }
 
 /** Where characters that are moved from outside are after this step. */
@@ -1445,101 +1452,6 @@ export interface WriteMotionInit {
   readonly positions?: readonly Vec2[] | Float64Array | undefined;
   /** Their velocities [m/s]; none for what follows from the last positions. */
   readonly velocities?: readonly Vec2[] | Float64Array | undefined;
-}
-
-/**
- * Puts a group elsewhere at once: its mesh, its places, and its characters, who stand still there. Its orders and
- * controls end. (SetPose moves the mesh alone, and characters walk.)
- */
-export interface PlaceGroup {
-  /** The group. */
-  group: GroupId;
-  /** New centre of the formation [m]. */
-  position: Vec2;
-  /** New heading, counter-clockwise from +x [rad]. */
-  angle: number;
-}
-
-/** What may be given of PlaceGroup. */
-export interface PlaceGroupInit {
-  /** The group. */
-  readonly group?: GroupId | undefined;
-  /** New centre of the formation [m]. */
-  readonly position?: Vec2 | undefined;
-  /** New heading, counter-clockwise from +x [rad]. */
-  readonly angle?: number | undefined;
-}
-
-/** Gives a group another name. */
-export interface NameGroup {
-  /** The group. */
-  group: GroupId;
-  /** At most 4,096 bytes; null for none. */
-  name: string;
-}
-
-/** What may be given of NameGroup. */
-export interface NameGroupInit {
-  /** The group. */
-  readonly group?: GroupId | undefined;
-  /** At most 4,096 bytes; null for none. */
-  readonly name?: string | null | undefined;
-}
-
-/** Gives a group another colour. */
-export interface ColourGroup {
-  /** The group. */
-  group: GroupId;
-  /** 0xRRGGBB. Null: the palette's, by the group's id. */
-  colour: number | null;
-}
-
-/** What may be given of ColourGroup. */
-export interface ColourGroupInit {
-  /** The group. */
-  readonly group?: GroupId | undefined;
-  /** 0xRRGGBB. Null: the palette's, by the group's id. */
-  readonly colour?: number | null | undefined;
-}
-
-/** Gives the people of a group another appearance. */
-export interface SetAppearance {
-  /** The group. */
-  group: GroupId;
-  /** Build of its drawn bodies. Null: both, by the character's id. */
-  build: BodyBuild | null;
-  /** How it walks and jogs. Null: the plain manner. */
-  motions: MotionSet | null;
-}
-
-/** What may be given of SetAppearance. */
-export interface SetAppearanceInit {
-  /** The group. */
-  readonly group?: GroupId | undefined;
-  /** Build of its drawn bodies. Null: both, by the character's id. */
-  readonly build?: BodyBuild | null | undefined;
-  /** How it walks and jogs. Null: the plain manner. */
-  readonly motions?: MotionSet | null | undefined;
-}
-
-/**
- * Gives a group other sorts of persons. Persons who join it by number or by a source are drawn by them from now
- * on. Its present members are drawn again, as those who come at once: each number that neither the sorts before
- * nor these draw stays as it is. A person who has heard an order sets out when it was to.
- */
-export interface SetPeople {
-  /** The group. */
-  group: GroupId;
-  /** Its sorts; none: all are as GroupDef.bodies say. */
-  people: PeopleDef[];
-}
-
-/** What may be given of SetPeople. */
-export interface SetPeopleInit {
-  /** The group. */
-  readonly group?: GroupId | undefined;
-  /** Its sorts; none: all are as GroupDef.bodies say. */
-  readonly people?: readonly PeopleDefInit[] | undefined;
 }
 
 /** Reverses the orders of a group's queue: the last one begins, and what is under way comes last. */
@@ -1572,60 +1484,38 @@ export interface CommandBodies {
   6: RemoveControl;
   /** ReleaseClient */
   7: ReleaseClient;
-  /** SetFormation */
-  8: SetFormation;
-  /** SetCount */
-  9: SetCount;
+  /** ChangeGroup */
+  8: ChangeGroup;
   /** SetPose */
-  10: SetPose;
+  9: SetPose;
   /** AddGroup */
-  11: AddGroup;
+  10: AddGroup;
   /** RemoveGroup */
-  12: RemoveGroup;
+  11: RemoveGroup;
   /** PutThing */
-  13: PutThing;
+  12: PutThing;
   /** RemoveThing */
-  14: RemoveThing;
+  13: RemoveThing;
   /** SetParameter */
-  15: SetParameter;
+  14: SetParameter;
   /** GiveOrder */
-  16: GiveOrder;
+  15: GiveOrder;
   /** EditQueue */
-  17: EditQueue;
-  /** SetConduct */
-  18: SetConduct;
+  16: EditQueue;
   /** AddCharacters */
-  19: AddCharacters;
-  /** RemoveCharacters */
-  20: RemoveCharacters;
+  17: AddCharacters;
   /** TransferCharacters */
-  21: TransferCharacters;
+  18: TransferCharacters;
   /** SplitGroup */
-  22: SplitGroup;
+  19: SplitGroup;
   /** MergeGroups */
-  23: MergeGroups;
-  /** SetBodies */
-  24: SetBodies;
-  /** SetRoles */
-  25: SetRoles;
-  /** SetDemands */
-  26: SetDemands;
-  /** SetDriver */
-  27: SetDriver;
+  20: MergeGroups;
+  /** ChangeCharacters */
+  21: ChangeCharacters;
   /** WriteMotion */
-  28: WriteMotion;
-  /** PlaceGroup */
-  29: PlaceGroup;
-  /** NameGroup */
-  30: NameGroup;
-  /** ColourGroup */
-  31: ColourGroup;
-  /** SetAppearance */
-  32: SetAppearance;
-  /** SetPeople */
-  33: SetPeople;
+  22: WriteMotion;
   /** ReverseQueue */
-  34: ReverseQueue;
+  23: ReverseQueue;
 }
 
 /**
@@ -1668,60 +1558,38 @@ export interface CommandBodiesInit {
   6: RemoveControlInit;
   /** ReleaseClient */
   7: ReleaseClientInit;
-  /** SetFormation */
-  8: SetFormationInit;
-  /** SetCount */
-  9: SetCountInit;
+  /** ChangeGroup */
+  8: ChangeGroupInit;
   /** SetPose */
-  10: SetPoseInit;
+  9: SetPoseInit;
   /** AddGroup */
-  11: AddGroupInit;
+  10: AddGroupInit;
   /** RemoveGroup */
-  12: RemoveGroupInit;
+  11: RemoveGroupInit;
   /** PutThing */
-  13: PutThingInit;
+  12: PutThingInit;
   /** RemoveThing */
-  14: RemoveThingInit;
+  13: RemoveThingInit;
   /** SetParameter */
-  15: SetParameterInit;
+  14: SetParameterInit;
   /** GiveOrder */
-  16: GiveOrderInit;
+  15: GiveOrderInit;
   /** EditQueue */
-  17: EditQueueInit;
-  /** SetConduct */
-  18: SetConductInit;
+  16: EditQueueInit;
   /** AddCharacters */
-  19: AddCharactersInit;
-  /** RemoveCharacters */
-  20: RemoveCharactersInit;
+  17: AddCharactersInit;
   /** TransferCharacters */
-  21: TransferCharactersInit;
+  18: TransferCharactersInit;
   /** SplitGroup */
-  22: SplitGroupInit;
+  19: SplitGroupInit;
   /** MergeGroups */
-  23: MergeGroupsInit;
-  /** SetBodies */
-  24: SetBodiesInit;
-  /** SetRoles */
-  25: SetRolesInit;
-  /** SetDemands */
-  26: SetDemandsInit;
-  /** SetDriver */
-  27: SetDriverInit;
+  20: MergeGroupsInit;
+  /** ChangeCharacters */
+  21: ChangeCharactersInit;
   /** WriteMotion */
-  28: WriteMotionInit;
-  /** PlaceGroup */
-  29: PlaceGroupInit;
-  /** NameGroup */
-  30: NameGroupInit;
-  /** ColourGroup */
-  31: ColourGroupInit;
-  /** SetAppearance */
-  32: SetAppearanceInit;
-  /** SetPeople */
-  33: SetPeopleInit;
+  22: WriteMotionInit;
   /** ReverseQueue */
-  34: ReverseQueueInit;
+  23: ReverseQueueInit;
 }
 
 /**

@@ -21,8 +21,7 @@ constexpr auto kNames = std::to_array<const char*>({
     "PinControl",
     "RemoveControl",
     "ReleaseClient",
-    "SetFormation",
-    "SetCount",
+    "ChangeGroup",
     "SetPose",
     "AddGroup",
     "RemoveGroup",
@@ -31,22 +30,12 @@ constexpr auto kNames = std::to_array<const char*>({
     "SetParameter",
     "GiveOrder",
     "EditQueue",
-    "SetConduct",
     "AddCharacters",
-    "RemoveCharacters",
     "TransferCharacters",
     "SplitGroup",
     "MergeGroups",
-    "SetBodies",
-    "SetRoles",
-    "SetDemands",
-    "SetDriver",
+    "ChangeCharacters",
     "WriteMotion",
-    "PlaceGroup",
-    "NameGroup",
-    "ColourGroup",
-    "SetAppearance",
-    "SetPeople",
     "ReverseQueue",
 });
 // clang-format on
@@ -75,8 +64,21 @@ struct Validator {
     Status operator()(const PinControl&) const { return {}; }
     Status operator()(const RemoveControl&) const { return {}; }
     Status operator()(const ReleaseClient&) const { return {}; }
-    Status operator()(const SetFormation& c) const { return validate(c.formation); }
-    Status operator()(const SetCount& c) const { return countIn("count", c.count, 1, kMaxCharacters); }
+    Status operator()(const ChangeGroup& c) const {
+        Status status = validateIfAny(c.formation);
+        if (status.ok())
+            status = checkIfAny(c.count,
+                                [](const auto& value) { return countIn("count", value, 1, kMaxCharacters); });
+        if (status.ok())
+            status = checkIfAny(c.people, [](const auto& value) { return validatePeople(value); });
+        if (status.ok()) status = validateIfAny(c.conduct);
+        if (status.ok()) status = checkIfAny(c.roles, [](const auto& value) { return validateRoles(value); });
+        if (status.ok()) status = checkIfAny(c.name, [](const auto& value) { return isText("name", value); });
+        if (status.ok()) status = validateIfAny(c.colour);
+        if (status.ok()) status = validateIfAny(c.look);
+        if (status.ok()) status = relations(c);
+        return status;
+    }
     Status operator()(const SetPose& c) const {
         Status status = place("position", c.position);
         if (status.ok()) status = numberIn("angle", c.angle, -1e6, 1e6, "[-1e6, 1e6] rad");
@@ -87,11 +89,11 @@ struct Validator {
     Status operator()(const PutThing& c) const {
         Status status = validateIfAny(c.obstacle);
         if (status.ok())
-            status = checkIfAny(c.patch, [](const auto& def) { return validatePatch(def, kAnyMotion); });
+            status = checkIfAny(c.patch, [](const auto& value) { return validatePatch(value, kAnyMotion); });
         if (status.ok()) status = validateIfAny(c.item);
         if (status.ok())
             status = checkIfAny(c.checkpoint,
-                                [](const auto& def) { return validateCheckpoint(def, kMaxGroups); });
+                                [](const auto& value) { return validateCheckpoint(value, kMaxGroups); });
         if (status.ok()) status = validateIfAny(c.area);
         if (status.ok()) status = relations(c);
         return status;
@@ -108,13 +110,11 @@ struct Validator {
         return status;
     }
     Status operator()(const EditQueue& c) const { return isKnown(c.edit, kLastOf<QueueEdit>, "queue edit"); }
-    Status operator()(const SetConduct& c) const { return validate(c.conduct); }
     Status operator()(const AddCharacters& c) const {
         Status status = places("positions", c.positions, 1, kMaxCharacters);
         if (status.ok()) status = relations(c);
         return status;
     }
-    Status operator()(const RemoveCharacters& c) const { return eachOnce(c.ids); }
     Status operator()(const TransferCharacters& c) const { return eachOnce(c.ids); }
     Status operator()(const SplitGroup& c) const {
         Status status = isKnown(c.by, kLastOf<SplitBy>, "way of splitting");
@@ -128,16 +128,10 @@ struct Validator {
         if (status.ok()) status = relations(c);
         return status;
     }
-    Status operator()(const SetBodies& c) const {
-        Status status = eachOnce(c.ids);
-        if (status.ok()) status = relations(c);
-        return status;
-    }
-    Status operator()(const SetRoles& c) const { return validateRoles(c.roles); }
-    Status operator()(const SetDemands& c) const { return relations(c); }
-    Status operator()(const SetDriver& c) const {
+    Status operator()(const ChangeCharacters& c) const {
         Status status = eachOnce(c.ids);
         if (status.ok()) status = isKnown(c.driver, kLastOf<Driver>, "driver");
+        if (status.ok()) status = relations(c);
         return status;
     }
     Status operator()(const WriteMotion& c) const {
@@ -147,19 +141,6 @@ struct Validator {
         if (status.ok()) status = relations(c);
         return status;
     }
-    Status operator()(const PlaceGroup& c) const {
-        Status status = place("position", c.position);
-        if (status.ok()) status = numberIn("angle", c.angle, -1e6, 1e6, "[-1e6, 1e6] rad");
-        return status;
-    }
-    Status operator()(const NameGroup& c) const { return isText("name", c.name); }
-    Status operator()(const ColourGroup& c) const { return validateColour(c.colour); }
-    Status operator()(const SetAppearance& c) const {
-        Status status = isKnown(c.build, kLastOf<BodyBuild>, "build");
-        if (status.ok()) status = isKnown(c.motions, kLastOf<MotionSet>, "set of motions");
-        return status;
-    }
-    Status operator()(const SetPeople& c) const { return validatePeople(c.people); }
     Status operator()(const ReverseQueue&) const { return {}; }
 };
 

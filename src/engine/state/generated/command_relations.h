@@ -7,13 +7,13 @@
 namespace muster {
 
 Status relations(const AddControl& c);
+Status relations(const ChangeGroup& c);
 Status relations(const PutThing& c);
 Status relations(const SetParameter& c);
 Status relations(const AddCharacters& c);
 Status relations(const SplitGroup& c);
 Status relations(const MergeGroups& c);
-Status relations(const SetBodies& c);
-Status relations(const SetDemands& c);
+Status relations(const ChangeCharacters& c);
 Status relations(const WriteMotion& c);
 
 }  // namespace muster

@@ -179,6 +179,16 @@ Status validate(const GroupDef& d) {
     return status;
 }
 
+Status validate(const GroupColour& d) {
+    return validateColour(d.colour);
+}
+
+Status validate(const GroupLook& d) {
+    Status status = isKnown(d.build, kLastOf<BodyBuild>, "build");
+    if (status.ok()) status = isKnown(d.motions, kLastOf<MotionSet>, "set of motions");
+    return status;
+}
+
 Status validate(const FormationCheckpointDef& d) {
     Status status = isPlace("position", d.position);
     if (status.ok()) status = inRange("radius", d.radius, 0.01, 1e4);

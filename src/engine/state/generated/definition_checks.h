@@ -22,6 +22,8 @@ Status validate(const FormationDef& d);
 Status validate(const Order& d);
 Status validate(const Conduct& d);
 Status validate(const GroupDef& d);
+Status validate(const GroupColour& d);
+Status validate(const GroupLook& d);
 Status validate(const FormationCheckpointDef& d);
 Status validate(const WorldDef& d);
 

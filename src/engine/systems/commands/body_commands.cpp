@@ -20,20 +20,15 @@ Status allExist(const Characters& characters, const std::vector<std::uint32_t>& 
 
 }  // namespace
 
-Status apply(CommandContext& context, const SetBodies& command) {
+Status apply(CommandContext& context, const ChangeCharacters& change) {
     WorldState& state = context.groups();
     Characters& c = state.characters;
-    if (Status s = allExist(c, command.ids); !s.ok()) return s;
-    for (std::size_t k = 0; k < command.ids.size(); ++k)
-        c.body[c.indexOf(command.ids[k])] = command.bodies[std::min(k, command.bodies.size() - 1)];
-    return {};
-}
-
-Status apply(CommandContext& context, const SetDriver& command) {
-    WorldState& state = context.state;
-    Characters& c = state.characters;
-    if (Status s = allExist(c, command.ids); !s.ok()) return s;
-    for (const std::uint32_t id : command.ids) c.driver[c.indexOf(id)] = command.driver;
+    if (Status s = allExist(c, change.ids); !s.ok()) return s;
+    for (std::size_t k = 0; k < change.ids.size(); ++k) {
+        const std::int32_t i = c.indexOf(change.ids[k]);
+        if (change.bodies) c.body[i] = (*change.bodies)[std::min(k, change.bodies->size() - 1)];
+        if (change.driver) c.driver[i] = *change.driver;
+    }
     return {};
 }
 

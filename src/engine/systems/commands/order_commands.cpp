@@ -217,12 +217,4 @@ Status apply(CommandContext& context, const ReverseQueue& command) {
     return {};
 }
 
-Status apply(CommandContext& context, const SetConduct& command) {
-    WorldState& state = context.state;
-    Group* const group = state.findGroup(command.group);
-    if (group == nullptr) return noGroup(command.group);
-    group->def.conduct = command.conduct;
-    return {};
-}
-
 }  // namespace muster

@@ -138,9 +138,11 @@ Status apply(CommandContext& context, const AddCharacters& command) {
     return {};
 }
 
-Status apply(CommandContext& context, const RemoveCharacters& command) {
+namespace {
+
+Status leaveWorld(CommandContext& context, const std::vector<std::uint32_t>& ids) {
     WorldState& state = context.groups();
-    const auto leaving = charactersOf(state, command.ids);
+    const auto leaving = charactersOf(state, ids);
     if (!leaving.ok()) return leaving.status();
     Result<Shrinking> shrinking = shrink(state, *leaving);
     if (!shrinking.ok()) return shrinking.status();
@@ -157,7 +159,10 @@ Status apply(CommandContext& context, const RemoveCharacters& command) {
     return {};
 }
 
+}  // namespace
+
 Status apply(CommandContext& context, const TransferCharacters& command) {
+    if (!command.group) return leaveWorld(context, command.ids);
     WorldState& state = context.groups();
     Group* const group = state.findGroup(command.group);
     if (group == nullptr) return noGroup(command.group);

@@ -17,8 +17,7 @@ inline constexpr std::array kCommandWords{
     "pin",
     "remove",
     "release",
-    "formation",
-    "count",
+    "changeGroup",
     "pose",
     "group",
     "removeGroup",
@@ -27,22 +26,12 @@ inline constexpr std::array kCommandWords{
     "parameter",
     "order",
     "queue",
-    "conduct",
     "join",
-    "leave",
     "transfer",
     "split",
     "merge",
-    "bodies",
-    "roles",
-    "demands",
-    "driver",
+    "changeCharacters",
     "motion",
-    "placeGroup",
-    "nameGroup",
-    "colourGroup",
-    "appearance",
-    "people",
     "reverseQueue",
 };
 // clang-format on
@@ -65,6 +54,19 @@ inline constexpr std::array kFormerWords{
     "removeCheckpoint",
     "area",
     "removeArea",
+    "formation",
+    "count",
+    "conduct",
+    "leave",
+    "bodies",
+    "roles",
+    "demands",
+    "driver",
+    "placeGroup",
+    "nameGroup",
+    "colourGroup",
+    "appearance",
+    "people",
 };
 // clang-format on
 static_assert(kFormerWords.size() == std::variant_size_v<FormerKinds>);
@@ -106,19 +108,37 @@ struct BodyFields {
         v.whole("control", c.control.value, kId, "Its id.", Need::Required);
     }
     void operator()(ReleaseClient&) {}
-    void operator()(SetFormation& c) {
+    void operator()(ChangeGroup& c) {
         v.whole("group", c.group.value, kId, "Group to change.", Need::Required);
-        v.objectOrKind(
-            "formation", "", [&](auto& inner) { describe(inner, c.formation); }, Need::Required);
-    }
-    void operator()(SetCount& c) {
-        v.whole("group", c.group.value, kId, "Group to change.", Need::Required);
-        v.whole("count", c.count, {1.0, kMaxCharacters}, "New number of characters.", Need::Required);
+        given("formation", c.formation, [&](auto& value, Need need) {
+            describeShape(v, "formation", value, "Its formation; none for the one that it has.", need);
+        });
+        given("count", c.count, [&](auto& value, Need need) {
+            v.whole("count", value, {1.0, kMaxCharacters}, "How many people it has.", need);
+        });
+        given("people", c.people, [&](auto& value, Need need) { describePeople(v, value, need); });
+        maybe("conduct", c.conduct, "How it behaves; none for as it does.",
+              [](auto& inner, auto& def) { describe(inner, def); });
+        given("roles", c.roles, [&](auto& value, Need need) { describeRoles(v, value, need); });
+        given("demands", c.demands, [&](auto& value, Need need) {
+            v.numbers("demands", value, {0.0, 1000.0}, kMaxCharacters,
+                      "Units of supply that each place demands; empty for 1 each.", need);
+        });
+        given("name", c.name, [&](auto& value, Need need) {
+            v.text("name", value, "Its name, of at most 4,096 bytes; none for the one that it has.", need);
+        });
+        maybe("colour", c.colour, "Its colour; none for the one that it has.",
+              [](auto& inner, auto& def) { describe(inner, def); });
+        maybe("look", c.look, "How its people look; none for as they do.",
+              [](auto& inner, auto& def) { describe(inner, def); });
     }
     void operator()(SetPose& c) {
         v.whole("group", c.group.value, kId, "Group to move.", Need::Required);
         spot(c.position);
         v.number("angle", c.angle, kAngle, "New heading, counter-clockwise from +x.");
+        if (takesPart<Visitor>(c.characters))
+            v.flag("characters", c.characters,
+                   "True: its places and characters are there at once, and stand still.");
     }
     void operator()(AddGroup& c) {
         v.object(
@@ -166,22 +186,16 @@ struct BodyFields {
         if (takesPart<Visitor>(c.order != 0))
             v.whole("order", c.order, kId, "For Cancel: the id of the order; 0 for all.");
     }
-    void operator()(SetConduct& c) {
-        v.whole("group", c.group.value, kId, "The group.", Need::Required);
-        describe(v, c.conduct);
-    }
     void operator()(AddCharacters& c) {
         v.whole("group", c.group.value, kId, "Group that they join.", Need::Required);
         v.points("positions", c.positions, 1, kMaxCharacters,
                  "Where they stand; they part where they would stand in each other.", Need::Required);
         describeBodies(v, "bodies", c.bodies, Need::Optional);
     }
-    void operator()(RemoveCharacters& c) {
-        v.numbers("ids", c.ids, kId, kMaxCharacters, "Their ids.", Need::Required);
-    }
     void operator()(TransferCharacters& c) {
         v.numbers("ids", c.ids, kId, kMaxCharacters, "Their ids.", Need::Required);
-        v.whole("group", c.group.value, kId, "Group that they join.", Need::Required);
+        if (takesPart<Visitor>(static_cast<bool>(c.group)))
+            v.whole("group", c.group.value, kId, "Group that they join; none to leave the world.");
     }
     void operator()(SplitGroup& c) {
         v.whole("group", c.group.value, kId, "The group.", Need::Required);
@@ -199,51 +213,16 @@ struct BodyFields {
         describeWord(v, "shape", c.shape, kPartShapeWords,
                      "Smaller: the formation of the first for all; AsHeld: all places stay.");
     }
-    void operator()(SetBodies& c) {
+    void operator()(ChangeCharacters& c) {
         v.numbers("ids", c.ids, kId, kMaxCharacters, "Their ids.", Need::Required);
-        describeBodies(v, "bodies", c.bodies, Need::Required);
-    }
-    void operator()(SetRoles& c) {
-        v.whole("group", c.group.value, kId, "The group.", Need::Required);
-        describeRoles(v, c.roles, Need::Required);
-    }
-    void operator()(SetDemands& c) {
-        v.whole("group", c.group.value, kId, "The group.", Need::Required);
-        v.numbers("demands", c.demands, {0.0, 1000.0}, kMaxCharacters,
-                  "Of each place, 0 to 1000; empty for 1 each.", Need::Required);
-    }
-    void operator()(SetDriver& c) {
-        v.numbers("ids", c.ids, kId, kMaxCharacters, "Their ids.", Need::Required);
-        describeWord(v, "driver", c.driver, kDriverWords, "What moves them.", Need::Required);
+        given("bodies", c.bodies, [&](auto& value, Need need) { describeBodies(v, "bodies", value, need); });
+        describeWord(v, "driver", c.driver, kDriverWords, "What moves them; none for what moves them now.");
     }
     void operator()(WriteMotion& c) {
         v.numbers("ids", c.ids, kId, kMaxCharacters, "Their ids.", Need::Required);
         v.points("positions", c.positions, 1, kMaxCharacters, "Where they are.", Need::Required);
         v.points("velocities", c.velocities, 0, kMaxCharacters,
                  "Their velocities; empty for what follows from the last positions.");
-    }
-    void operator()(PlaceGroup& c) {
-        v.whole("group", c.group.value, kId, "The group.", Need::Required);
-        spot(c.position);
-        v.number("angle", c.angle, kAngle, "New heading, counter-clockwise from +x.");
-    }
-    void operator()(NameGroup& c) {
-        v.whole("group", c.group.value, kId, "The group.", Need::Required);
-        v.text("name", c.name, "At most 4,096 bytes.", Need::Required);
-    }
-    void operator()(ColourGroup& c) {
-        v.whole("group", c.group.value, kId, "The group.", Need::Required);
-        v.colour("colour", c.colour, "0xRRGGBB; none for the palette's, by the group's id.");
-    }
-    void operator()(SetAppearance& c) {
-        v.whole("group", c.group.value, kId, "The group.", Need::Required);
-        describeWord(v, "build", c.build, kBodyBuildWords,
-                     "Build of the drawn bodies; left out: both, by their ids.");
-        describeWord(v, "motions", c.motions, kMotionSetWords, "How they walk and jog; left out: plainly.");
-    }
-    void operator()(SetPeople& c) {
-        v.whole("group", c.group.value, kId, "The group.", Need::Required);
-        describePeople(v, c.people);
     }
     void operator()(ReverseQueue& c) { v.whole("group", c.group.value, kId, "The group.", Need::Required); }
     void operator()(AddObstacle& c) {
@@ -299,21 +278,88 @@ struct BodyFields {
             v.whole("group", c.group.value, kId, "For Source: the group that its people join.");
     }
     void operator()(RemoveArea& c) { v.whole("id", c.id.value, kId, "Its id.", Need::Required); }
+    void operator()(SetFormation& c) {
+        v.whole("group", c.group.value, kId, "Group to change.", Need::Required);
+        v.objectOrKind(
+            "formation", "", [&](auto& inner) { describe(inner, c.formation); }, Need::Required);
+    }
+    void operator()(SetCount& c) {
+        v.whole("group", c.group.value, kId, "Group to change.", Need::Required);
+        v.whole("count", c.count, {1.0, kMaxCharacters}, "New number of characters.", Need::Required);
+    }
+    void operator()(SetConduct& c) {
+        v.whole("group", c.group.value, kId, "The group.", Need::Required);
+        describe(v, c.conduct);
+    }
+    void operator()(RemoveCharacters& c) {
+        v.numbers("ids", c.ids, kId, kMaxCharacters, "Their ids.", Need::Required);
+    }
+    void operator()(SetBodies& c) {
+        v.numbers("ids", c.ids, kId, kMaxCharacters, "Their ids.", Need::Required);
+        describeBodies(v, "bodies", c.bodies, Need::Required);
+    }
+    void operator()(SetRoles& c) {
+        v.whole("group", c.group.value, kId, "The group.", Need::Required);
+        describeRoles(v, c.roles, Need::Optional);
+    }
+    void operator()(SetDemands& c) {
+        v.whole("group", c.group.value, kId, "The group.", Need::Required);
+        v.numbers("demands", c.demands, {0.0, 1000.0}, kMaxCharacters,
+                  "Of each place, 0 to 1000; empty for 1 each.", Need::Required);
+    }
+    void operator()(SetDriver& c) {
+        v.numbers("ids", c.ids, kId, kMaxCharacters, "Their ids.", Need::Required);
+        describeWord(v, "driver", c.driver, kDriverWords, "What moves them.", Need::Required);
+    }
+    void operator()(PlaceGroup& c) {
+        v.whole("group", c.group.value, kId, "The group.", Need::Required);
+        spot(c.position);
+        v.number("angle", c.angle, kAngle, "New heading, counter-clockwise from +x.");
+    }
+    void operator()(NameGroup& c) {
+        v.whole("group", c.group.value, kId, "The group.", Need::Required);
+        v.text("name", c.name, "At most 4,096 bytes.", Need::Required);
+    }
+    void operator()(ColourGroup& c) {
+        v.whole("group", c.group.value, kId, "The group.", Need::Required);
+        v.colour("colour", c.colour, "0xRRGGBB; none for the palette's, by the group's id.");
+    }
+    void operator()(SetAppearance& c) {
+        v.whole("group", c.group.value, kId, "The group.", Need::Required);
+        describeWord(v, "build", c.build, kBodyBuildWords,
+                     "Build of the drawn bodies; left out: both, by their ids.");
+        describeWord(v, "motions", c.motions, kMotionSetWords, "How they walk and jog; left out: plainly.");
+    }
+    void operator()(SetPeople& c) {
+        v.whole("group", c.group.value, kId, "The group.", Need::Required);
+        describePeople(v, c.people, Need::Optional);
+    }
 
 private:
     void spot(Vec2& p) {
         v.number("x", p.x, kCoordinate, "World coordinate.", Need::Required);
         v.number("y", p.y, kCoordinate, "World coordinate.", Need::Required);
     }
+    /// A value that may be left out: `describe(value, need)` where it is given.
+    template <class Value, class Describe>
+    void given(const char* key, std::optional<Value>& value, const Describe& describe) {
+        if constexpr (Visitor::kSchema) {
+            Value none{};
+            describe(none, Need::Optional);
+            v.eraseDefault(key);
+        } else if constexpr (Visitor::kReading) {
+            if (v.has(key)) describe(value.emplace(), Need::Required);
+        } else if (value) {
+            describe(*value, Need::Required);
+        }
+    }
     /// A definition that may be left out.
     template <class Def, class Describe>
     void maybe(const char* key, std::optional<Def>& def, const char* about, const Describe& describe) {
-        if constexpr (Visitor::kReading || Visitor::kSchema) {
-            Def found;
-            if (v.object(key, about, [&](auto& inner) { describe(inner, found); })) def = std::move(found);
-        } else if (def) {
-            v.object(key, about, [&](auto& inner) { describe(inner, *def); });
-        }
+        given(key, def, [&](auto& value, Need need) {
+            v.object(
+                key, about, [&](auto& inner) { describe(inner, value); }, need);
+        });
     }
 };
 

@@ -226,13 +226,23 @@ void describe(Visitor& v, GroupDef& d) {
              "Where characters stand at first, one point each; left out: on their places.");
     v.number("jitter", d.jitter, {0.0, 100.0, "m"}, "Start positions are moved by up to this, by the seed.");
     describeBodies(v, "bodies", d.bodies, Need::Optional);
-    describePeople(v, d.people);
+    describePeople(v, d.people, Need::Optional);
     describeRoles(v, d.roles, Need::Optional);
     v.numbers("demands", d.demands, {0.0, 1000.0}, kMaxCharacters,
               "Units of supply that each place demands; left out: 1 each.");
     describeObject(v, "conduct", d.conduct, "How it behaves.");
     describeOrders(v, d.orders, 1000, "What it is to do at first, one after the other.");
     v.flag("patrols", d.patrols, "Orders that are done come last again.");
+}
+template <class Visitor>
+void describe(Visitor& v, GroupColour& d) {
+    v.colour("colour", d.colour, "Of its shirts and marks; left out: the palette's.");
+}
+template <class Visitor>
+void describe(Visitor& v, GroupLook& d) {
+    describeWord(v, "build", d.build, kBodyBuildWords,
+                 "Build of the drawn bodies; left out: both, by their ids.");
+    describeWord(v, "motions", d.motions, kMotionSetWords, "How they walk and jog; left out: plainly.");
 }
 template <class Visitor>
 void describe(Visitor& v, FormationCheckpointDef& d, auto putGroup) {

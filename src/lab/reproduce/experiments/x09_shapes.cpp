@@ -42,9 +42,9 @@ struct Variation {
 /// Gives the changes of formation another order, by the seed; the last stays the square.
 void shuffleShapes(std::uint64_t seed, std::vector<Command>& commands) {
     if (seed == 1) return;
-    std::vector<SetFormation*> changes;
+    std::vector<ChangeGroup*> changes;
     for (Command& command : commands)
-        if (auto* change = std::get_if<SetFormation>(&command.body)) changes.push_back(change);
+        if (auto* change = std::get_if<ChangeGroup>(&command.body)) changes.push_back(change);
     Random random(seed + 500);
     for (std::size_t k = changes.size(); k-- > 2;)
         std::swap(changes[k - 1]->formation, changes[random.below(static_cast<std::uint32_t>(k))]->formation);

@@ -46,15 +46,20 @@ const char* editLabel(QueueEdit edit) {
     return "Cancel order";
 }
 
-const char* conductLabel(const SetConduct& set, const World& world) {
-    const auto g = inspect::indexOfGroup(world, set.group);
+const char* conductLabel(const ChangeGroup& change, const World& world) {
+    const auto g = inspect::indexOfGroup(world, change.group);
     if (!g) return "Conduct";
-    const Conduct& was = inspect::groupDef(world, *g).conduct;
-    if (set.conduct.cohesion != was.cohesion) return "Cohesion";
-    if (set.conduct.squeeze != was.squeeze) return "Squeeze";
-    if (set.conduct.stance != was.stance) return "Stance";
-    if (set.conduct.avoids != was.avoids) return "Give way";
+    const Conduct &is = *change.conduct, &was = inspect::groupDef(world, *g).conduct;
+    if (is.cohesion != was.cohesion) return "Cohesion";
+    if (is.squeeze != was.squeeze) return "Squeeze";
+    if (is.stance != was.stance) return "Stance";
+    if (is.avoids != was.avoids) return "Give way";
     return "Conduct";
+}
+
+const char* kindLabel(const CommandBody& body) {
+    const char* const label = traitsOf(body).label;
+    return *label != '\0' ? label : nullptr;
 }
 
 /// The labels of commands that depend on what they say; others have that of their kind.
@@ -63,12 +68,17 @@ struct Label {
 
     const char* operator()(const GiveOrder& give) const { return orderLabel(give.order); }
     const char* operator()(const EditQueue& edit) const { return editLabel(edit.edit); }
-    const char* operator()(const SetConduct& set) const { return conductLabel(set, world); }
+    const char* operator()(const ChangeGroup& change) const {
+        return change.conduct && !change.formation && !change.count ? conductLabel(change, world)
+                                                                    : kindLabel(change);
+    }
+    const char* operator()(const TransferCharacters& transfer) const {
+        return transfer.group ? kindLabel(transfer) : "Remove people";
+    }
     const char* operator()(const PinControl& pin) const { return pin.pinned ? "Pin" : "Release pin"; }
     template <class Other>
     const char* operator()(const Other& other) const {
-        const char* const label = traitsOf(other).label;
-        return *label != '\0' ? label : nullptr;
+        return kindLabel(other);
     }
 };
 

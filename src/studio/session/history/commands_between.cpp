@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/world/inspect.h"
+#include "studio/session/history/group_fields.h"
 #include "studio/session/history/member_moves.h"
 #include "studio/session/inbox/received_commands.h"
 
@@ -125,11 +126,12 @@ private:
         }
         const std::optional<CommandBody> is = now(part);
         const bool wanted = is && part.after && !isPresence(part.key);
-        if (wanted && std::holds_alternative<SetPose>(*is)) {
+        if (wanted && isMeshPose(*is)) {
             poses_.push_back(&part);
             return;
         }
-        const bool shaped = isOneOf<SetFormation, SetDemands>(is.value_or(CommandBody()));
+        const bool shaped = is && (changesField(*is, &ChangeGroup::formation) ||
+                                   changesField(*is, &ChangeGroup::demands));
         if (wanted && shaped && contains(moves_.divided, group))
             batch_.follows = true;
         else if (wanted && (!samePart(is, part.after) || isShapedAgain(*part.after, group)))
@@ -145,7 +147,7 @@ private:
     }
 
     void giveTo(std::uint32_t group, const CommandBody& said) {
-        if (std::holds_alternative<PlaceGroup>(said)) placed_.push_back(group);
+        if (std::holds_alternative<SetPose>(said)) placed_.push_back(group);
         give(said);
     }
 
@@ -153,11 +155,12 @@ private:
     bool isShapedAgain(const CommandBody& said, std::uint32_t group) const {
         const auto g = indexOf(group);
         if (!g || !contains(moves_.changed, group)) return false;
-        if (const auto* set = std::get_if<SetDemands>(&said)) return !set->demands.empty();
+        const auto* change = std::get_if<ChangeGroup>(&said);
+        if (change == nullptr) return false;
+        if (change->demands) return !change->demands->empty();
         // Not where it has one for a while, from an order that it carries out.
-        return std::holds_alternative<SetFormation>(said) &&
-               sameBody(SetFormation{{}, inspect::ownFormation(scene_.world, *g)},
-                        SetFormation{{}, inspect::groupDef(scene_.world, *g).formation});
+        return change->formation &&
+               inspect::ownFormation(scene_.world, *g) == inspect::groupDef(scene_.world, *g).formation;
     }
 
     void leadQueue(QueueChange& change) {

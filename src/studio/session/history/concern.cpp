@@ -1,7 +1,9 @@
 // What each kind of command may change.
 #include <algorithm>
 
+#include "engine/state/group_change.h"
 #include "engine/world/inspect.h"
+#include "studio/session/history/group_fields.h"
 #include "studio/session/history/step_record.h"
 #include "studio/session/inbox/generated/command_traits.h"
 #include "studio/session/inbox/received_commands.h"
@@ -16,7 +18,7 @@ struct Concerned {
 
     void operator()(const GiveOrder& c) {
         // What the group is afterwards follows from the order.
-        if (shapes(c.order)) concern.parts.push_back({SetFormation{c.group, {}}, true});
+        if (shapes(c.order)) ask(ChangeGroup{.group = c.group, .formation = FormationDef{}}, true);
     }
     void operator()(const SplitGroup& c) {
         shape(c.group, true);
@@ -29,23 +31,25 @@ struct Concerned {
             concern.queues.push_back(group);
             if (group == c.groups.front()) continue;
             members(group);
-            for (CommandBody& asked : propertiesOf(group)) concern.parts.push_back({std::move(asked), false});
+            ask(propertiesOf(group), false);
             concern.parts.push_back({SetPose{group, {}, 0.0}, false});
             concern.parts.push_back({RemoveGroup{group}, false});
         }
     }
     void operator()(const AddCharacters& c) { shape(c.group); }
-    void operator()(const RemoveCharacters& c) { leave(c.ids); }
     void operator()(const TransferCharacters& c) {
-        shape(c.group);
+        if (c.group) shape(c.group);
         leave(c.ids);
     }
-    void operator()(const SetCount& c) {
+    void operator()(const ChangeGroup& c) {
+        if (!c.count) return;
         shape(c.group, true);
         members(c.group);
         concern.joined.push_back(c.group);
     }
-    void operator()(const SetBodies& c) { concern.characters = c.ids; }
+    void operator()(const ChangeCharacters& c) {
+        if (c.bodies) concern.characters = c.ids;
+    }
     void operator()(const RemoveGroup& c) {
         members(c.group);
         concern.queues.push_back(c.group);
@@ -56,18 +60,24 @@ struct Concerned {
             if (traitsOf(other).queues) concern.queues.push_back(other.group);
     }
 
-    static std::vector<CommandBody> propertiesOf(GroupId group) {
-        return {NameGroup{group, {}}, ColourGroup{group, {}}, SetAppearance{group, {}, {}},
-                SetPeople{group, {}}, SetRoles{group, {}},    SetConduct{group, {}}};
+    static ChangeGroup propertiesOf(GroupId group) {
+        ChangeGroup asked = wholeChange(group, {});
+        asked.formation.reset();
+        asked.count.reset();
+        asked.demands.reset();
+        return asked;
     }
 
 private:
+    void ask(const CommandBody& body, bool stays) {
+        for (CommandBody& asked : singleFields(body)) concern.parts.push_back({std::move(asked), stays});
+    }
     void shape(GroupId group, bool stays = false) {
         // Places that are held are not found again when people come back.
         const auto g = inspect::indexOfGroup(world, group);
         stays = stays || (g && inspect::ownFormation(world, *g).kind == FormationKind::Points);
-        concern.parts.push_back({SetFormation{group, {}}, stays});
-        concern.parts.push_back({SetDemands{group, {}}, stays});
+        ask(ChangeGroup{.group = group, .formation = FormationDef{}, .demands = std::vector<double>()},
+            stays);
     }
     void members(GroupId group) {
         const auto g = inspect::indexOfGroup(world, group);
@@ -100,10 +110,9 @@ Concern concernOf(const CommandBody& body, const World& world, bool place) {
 }
 
 std::vector<CommandBody> propertiesOf(GroupId group) {
-    std::vector<CommandBody> properties = Concerned::propertiesOf(group);
-    properties.push_back(SetFormation{group, {}});
-    properties.push_back(SetDemands{group, {}});
-    return properties;
+    ChangeGroup asked = wholeChange(group, {});
+    asked.count.reset();
+    return singleFields(asked);
 }
 
 }  // namespace muster

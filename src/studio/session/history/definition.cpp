@@ -6,6 +6,7 @@
 
 #include "base/maths.h"
 #include "muster/parameter_table.h"
+#include "studio/session/history/group_fields.h"
 #include "studio/session/inbox/received_commands.h"
 
 namespace muster {
@@ -52,6 +53,16 @@ struct Key {
         key.part = c.control.value;
         return key;
     }
+    PartKey operator()(const ChangeGroup& c) const {
+        PartKey key = of<ChangeGroup>(SubjectKind::Group, c.group);
+        key.part = static_cast<std::uint32_t>(firstField(c));
+        return key;
+    }
+    PartKey operator()(const SetPose& c) const {
+        PartKey key = of<SetPose>(SubjectKind::Group, c.group);
+        key.part = c.characters ? 1 : 0;
+        return key;
+    }
     template <class Other>
     PartKey operator()(const Other& c) const {
         if constexpr (requires { c.group.value; }) return of<Other>(SubjectKind::Group, c.group);
@@ -65,9 +76,8 @@ private:
     }
 };
 
-template <class Kind>
-bool samePose(const CommandBody& first, const CommandBody& second, double most) {
-    const Kind &a = std::get<Kind>(first), &b = std::get<Kind>(second);
+bool samePose(const SetPose& a, const SetPose& b) {
+    const double most = a.characters ? kRounding : kSamePlace;
     const Vec2 to{cosine(a.angle) - cosine(b.angle), sine(a.angle) - sine(b.angle)};
     return distance(a.position, b.position) < most && length(to) < most;
 }
@@ -84,13 +94,18 @@ bool changes(const PartChange& part) {
 }  // namespace
 
 bool setsPart(const CommandBody& body) {
-    return isOneOf<PutThing, RemoveThing, AddGroup, RemoveGroup, PlaceGroup, NameGroup, ColourGroup,
-                   SetAppearance, SetPeople, SetFormation, SetPose, PinControl, SetConduct, SetRoles,
-                   SetDemands, SetParameter>(body);
+    if (changesField(body, &ChangeGroup::count)) return false;  // It follows from who comes and leaves.
+    return isOneOf<PutThing, RemoveThing, AddGroup, RemoveGroup, ChangeGroup, SetPose, PinControl,
+                   SetParameter>(body);
 }
 
 PartKey keyOf(const CommandBody& body, Names& names) {
     return std::visit(Key{names}, body);
+}
+
+bool isMeshPose(const CommandBody& body) {
+    const auto* pose = std::get_if<SetPose>(&body);
+    return pose != nullptr && !pose->characters;
 }
 
 bool isPresence(const PartKey& key) {
@@ -126,8 +141,7 @@ CommandBody askedOf(const PartChange& part, const Names& names) {
 bool samePart(const std::optional<CommandBody>& a, const std::optional<CommandBody>& b) {
     if (!a || !b) return !a == !b;
     if (a->index() != b->index()) return false;
-    if (std::holds_alternative<SetPose>(*a)) return samePose<SetPose>(*a, *b, kSamePlace);
-    if (std::holds_alternative<PlaceGroup>(*a)) return samePose<PlaceGroup>(*a, *b, kRounding);
+    if (const auto* pose = std::get_if<SetPose>(&*a)) return samePose(*pose, std::get<SetPose>(*b));
     return std::holds_alternative<AddGroup>(*a) || sameBody(*a, *b);
 }
 

@@ -19,7 +19,7 @@ namespace muster {
 struct PartKey {
     Subject subject;
     std::size_t said = 0;    ///< Index of the kind of command that sets it.
-    std::uint32_t part = 0;  ///< The control, for PinControl.
+    std::uint32_t part = 0;  ///< The control, for PinControl; the field, for ChangeGroup.
     friend auto operator<=>(const PartKey&, const PartKey&) = default;
 };
 
@@ -71,10 +71,12 @@ struct Difference {
     bool empty() const;
 };
 
-/// True where the command adds a thing, removes one, or sets a property that one command says whole.
+/// True where the command, of one field, adds a thing, removes one, or sets a property that it says whole.
 bool setsPart(const CommandBody& body);
 /// The property that the command sets, of the thing that it names; of a new thing where it adds one.
 PartKey keyOf(const CommandBody& body, Names& names);
+/// True where the property is the pose of a mesh, to which characters walk.
+bool isMeshPose(const CommandBody& body);
 /// True where the property is that the thing is there.
 bool isPresence(const PartKey& key);
 /// What the property is after a command that adds a thing, which has that id now, or sets one; with ids. None

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/world/inspect.h"
+#include "studio/session/history/group_fields.h"
 #include "studio/session/inbox/received_commands.h"
 
 namespace muster {
@@ -34,7 +35,7 @@ bool isDown(std::uint32_t client, const std::vector<GroupId>& groups, const Worl
 
 /// The group whose pose, formation or queue the command changes; none for other commands.
 GroupId ledGroup(const CommandBody& body) {
-    if (const auto* set = std::get_if<SetFormation>(&body)) return set->group;
+    if (changesField(body, &ChangeGroup::formation)) return std::get<ChangeGroup>(body).group;
     return queueChangedBy(body);
 }
 
@@ -67,7 +68,7 @@ Drags::Part Drags::note(std::uint32_t client, std::span<const CommandBody> bodie
     part.drag = drag.number;
     // A formation that fingers change lets them go, and they take it again.
     const bool takesAgain = std::any_of(bodies.begin(), bodies.end(), [](const CommandBody& body) {
-        return std::holds_alternative<SetFormation>(body);
+        return changesField(body, &ChangeGroup::formation);
     });
     if (drag.fingers.empty() && !takesAgain) end(part, client);
     return part;
@@ -106,8 +107,8 @@ void Drags::down(std::uint32_t client, std::uint32_t touch, Vec2 at, GroupId gro
 void Drags::hold(Drag& drag, GroupId group, const Scene& scene) {
     if (std::find(drag.groups.begin(), drag.groups.end(), group) != drag.groups.end()) return;
     drag.groups.push_back(group);
-    for (const CommandBody& asked :
-         {CommandBody(SetFormation{group, {}}), CommandBody(SetPose{group, {}, 0.0})}) {
+    for (const CommandBody& asked : {CommandBody(ChangeGroup{.group = group, .formation = FormationDef{}}),
+                                     CommandBody(SetPose{group})}) {
         std::optional<CommandBody> now = presentPart(asked, scene.world, scene.place);
         if (!now) continue;
         scene.names.toNames(*now);

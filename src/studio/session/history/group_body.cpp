@@ -9,23 +9,23 @@ namespace muster {
 namespace {
 
 /// The bodies of all in a group once they have these numbers.
-Result<SetBodies> bodiesOf(const protocol::GroupBodyEdit& edit, const World& world) {
+Result<ChangeCharacters> bodiesOf(const protocol::GroupBodyEdit& edit, const World& world) {
     const auto g = inspect::indexOfGroup(world, GroupId{edit.group});
     if (!g || world.group(*g).members.empty())
         return invalidArgument("found group " + std::to_string(edit.group) +
                                ", expected a group with people in it");
-    SetBodies set;
+    ChangeCharacters set;
+    std::vector<Body>& bodies = set.bodies.emplace();
     for (const std::int32_t member : world.group(*g).members) {
         const auto i = static_cast<std::size_t>(member);
         set.ids.push_back(world.characters().id[i]);
-        Body& body = set.bodies.emplace_back(world.characters().body[i]);
+        Body& body = bodies.emplace_back(world.characters().body[i]);
         body.radius = edit.radius.value_or(body.radius);
         body.maxSpeed = edit.maxSpeed.value_or(body.maxSpeed);
         body.unitClass = edit.unitClass.value_or(body.unitClass);
     }
-    if (std::all_of(set.bodies.begin(), set.bodies.end(),
-                    [&](const Body& one) { return one == set.bodies.front(); }))
-        set.bodies.resize(1);
+    if (std::all_of(bodies.begin(), bodies.end(), [&](const Body& one) { return one == bodies.front(); }))
+        bodies.resize(1);
     return set;
 }
 

@@ -9,8 +9,8 @@
 
 namespace muster {
 
-/// Each edit becomes a SetBodies for all who are in the group now: the numbers that it names are theirs from
-/// then on, and all others stay. Fails with one sentence that names the edit.
+/// Each edit becomes a ChangeCharacters for all who are in the group now: the numbers that it names are
+/// theirs from then on, and all others stay. Fails with one sentence that names the edit.
 Result<std::vector<CommandBody>> bodiesOf(const std::vector<protocol::GroupBodyEdit>& edits,
                                           const World& world);
 

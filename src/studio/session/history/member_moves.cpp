@@ -30,9 +30,10 @@ public:
         unite();
         transfer();
         join();
-        if (!leaving_.empty()) batch_.bodies.push_back(RemoveCharacters{std::move(leaving_)});
+        if (!leaving_.empty()) batch_.bodies.push_back(TransferCharacters{std::move(leaving_), {}});
         for (const std::uint32_t group : ending_) batch_.bodies.push_back(RemoveGroup{idOf(group)});
-        if (!bodies_.ids.empty()) batch_.bodies.push_back(std::move(bodies_));
+        if (!bodied_.empty())
+            batch_.bodies.push_back(ChangeCharacters{std::move(bodied_), std::move(bodies_), {}});
     }
 
 private:
@@ -61,7 +62,7 @@ private:
             if (sameBodies)
                 member.before.body = member.after.body = now.body;
             else if (member.after.group != 0 && !(now.body == member.after.body))
-                bodies_.ids.push_back(id), bodies_.bodies.push_back(member.after.body);
+                bodied_.push_back(id), bodies_.push_back(member.after.body);
             if (!sameBodies) member.before.body = now.body;
         }
         if (stays || member.passed) return;
@@ -108,17 +109,17 @@ private:
     }
 
     /// The formation that a group is to have; null where it keeps its own.
-    const SetFormation* wantedShape(std::uint32_t group) const {
+    const FormationDef* wantedShape(std::uint32_t group) const {
         for (const PartChange& part : difference_.parts) {
             const bool isOf = part.key.subject == Subject{SubjectKind::Group, group};
-            const auto* set = isOf && part.after ? std::get_if<SetFormation>(&*part.after) : nullptr;
-            if (set != nullptr) return set;
+            const auto* change = isOf && part.after ? std::get_if<ChangeGroup>(&*part.after) : nullptr;
+            if (change != nullptr && change->formation) return &*change->formation;
         }
         return nullptr;
     }
     bool isHeld(std::uint32_t group) const {
-        const SetFormation* set = wantedShape(group);
-        return set != nullptr && set->formation.kind == FormationKind::Points;
+        const FormationDef* shape = wantedShape(group);
+        return shape != nullptr && shape->kind == FormationKind::Points;
     }
 
     void add(std::uint32_t group, bool withPeople) {
@@ -217,7 +218,8 @@ private:
     std::map<std::uint32_t, std::size_t> left_;                     // Members after splits, by group.
     List leaving_, ending_;
     std::vector<MergeGroups> merges_;
-    SetBodies bodies_;
+    List bodied_;  // Ids of those who get other bodies.
+    std::vector<Body> bodies_;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "base/as_mutable.h"
 #include "base/maths.h"
 #include "engine/ground/environment/environment.h"
+#include "engine/state/group_change.h"
 #include "engine/world/inspect.h"
 #include "muster/ground.h"
 #include "muster/parameter_table.h"
@@ -29,6 +30,17 @@ void resizeLists(GroupDef& def, std::int32_t count) {
     def.starts.clear();
     if (def.bodies.size() > 1) def.bodies.resize(size, def.bodies.back());
     if (!def.demands.empty()) def.demands.resize(size, 1.0);
+}
+
+/// How a group starts follows a command that changes it.
+void changeStart(GroupDef& def, const ChangeGroup& change) {
+    if (change.formation) {
+        def.formation = *change.formation;
+        def.starts.clear();
+    }
+    if (change.count) resizeLists(def, *change.count);
+    if (change.people) def.people = *change.people;
+    setPlainFields(def, change);
 }
 
 /// Puts those things that a map makes behind all others, and tells where they begin; -1 where some of them
@@ -177,7 +189,7 @@ void Place::follow(GroupId before, GroupId now) {
     if (PlaceGroupDef* group = find(before)) group->id = now;
 }
 
-void Place::setBodies(const SetBodies& set, const World& world) {
+void Place::setBodies(const ChangeCharacters& set, const World& world) {
     for (std::size_t g = 0; g < world.groupCount(); ++g) {
         const GroupView view = world.group(g);
         PlaceGroupDef* group = find(view.id);
@@ -189,8 +201,8 @@ void Place::setBodies(const SetBodies& set, const World& world) {
                 return world.characters().id[static_cast<std::size_t>(member)] == set.ids[k];
             });
             if (at != view.members.end())
-                bodies[static_cast<std::size_t>(at - view.members.begin())] = set.bodies[std::min(
-                    k, set.bodies.size() - 1)];
+                bodies[static_cast<std::size_t>(at - view.members.begin())] = (*set.bodies)[std::min(
+                    k, set.bodies->size() - 1)];
         }
         if (std::all_of(bodies.begin(), bodies.end(),
                         [&](const Body& body) { return body == bodies.front(); }))
@@ -206,40 +218,16 @@ void Place::apply(const CommandBody& edit, const World& world) {
     if (const auto* add = std::get_if<AddGroup>(&edit)) addNewest(add->group, world);
     if (const auto* remove = std::get_if<RemoveGroup>(&edit))
         std::erase_if(groups_, [&](const PlaceGroupDef& group) { return group.id == remove->group; });
-    if (const auto* place = std::get_if<PlaceGroup>(&edit)) {
-        of(place->group, [&](GroupDef& def) {
-            moveStarts(def, place->position, place->angle);
-            def.position = place->position;
-            def.angle = place->angle;
+    if (const auto* pose = std::get_if<SetPose>(&edit)) {
+        of(pose->group, [&](GroupDef& def) {
+            moveStarts(def, pose->position, pose->angle);
+            def.position = pose->position;
+            def.angle = pose->angle;
         });
     }
-    if (const auto* name = std::get_if<NameGroup>(&edit))
-        of(name->group, [&](GroupDef& def) { def.name = name->name; });
-    if (const auto* colour = std::get_if<ColourGroup>(&edit))
-        of(colour->group, [&](GroupDef& def) { def.colour = colour->colour; });
-    if (const auto* look = std::get_if<SetAppearance>(&edit)) {
-        of(look->group, [&](GroupDef& def) {
-            def.build = look->build;
-            def.motions = look->motions;
-        });
-    }
-    if (const auto* set = std::get_if<SetPeople>(&edit))
-        of(set->group, [&](GroupDef& def) { def.people = set->people; });
-    if (const auto* set = std::get_if<SetCount>(&edit))
-        of(set->group, [&](GroupDef& def) { resizeLists(def, set->count); });
-    if (const auto* set = std::get_if<SetFormation>(&edit)) {
-        of(set->group, [&](GroupDef& def) {
-            def.formation = set->formation;
-            def.starts.clear();
-        });
-    }
-    if (const auto* set = std::get_if<SetConduct>(&edit))
-        of(set->group, [&](GroupDef& def) { def.conduct = set->conduct; });
-    if (const auto* set = std::get_if<SetRoles>(&edit))
-        of(set->group, [&](GroupDef& def) { def.roles = set->roles; });
-    if (const auto* set = std::get_if<SetDemands>(&edit))
-        of(set->group, [&](GroupDef& def) { def.demands = set->demands; });
-    if (const auto* set = std::get_if<SetBodies>(&edit)) setBodies(*set, world);
+    if (const auto* change = std::get_if<ChangeGroup>(&edit))
+        of(change->group, [&](GroupDef& def) { changeStart(def, *change); });
+    if (const auto* set = std::get_if<ChangeCharacters>(&edit)) setBodies(*set, world);
     if (const auto* set = std::get_if<SetParameter>(&edit)) parameters_.push_back(*set);
 }
 

@@ -53,7 +53,7 @@ public:
 
 private:
     PlaceGroupDef* find(GroupId id);
-    void setBodies(const SetBodies& set, const World& world);
+    void setBodies(const ChangeCharacters& set, const World& world);
     void addNewest(const GroupDef& def, const World& world);
 
     std::vector<PlaceGroupDef> groups_;

@@ -4,7 +4,8 @@
 #include <tuple>
 #include <utility>
 
-#include "studio/session/inbox/received_commands.h"
+#include "studio/session/history/group_fields.h"
+#include "studio/session/inbox/generated/command_traits.h"
 
 namespace muster {
 namespace {
@@ -12,12 +13,21 @@ namespace {
 constexpr std::size_t kMostWaiting = 256;  // Edits.
 constexpr std::size_t kMostLabel = 80;     // [bytes]
 
+/// The properties that a command sets, of things that are there.
+std::vector<PartKey> keysOf(const CommandBody& body, Names& names) {
+    std::vector<PartKey> keys;
+    for (const CommandBody& single : singleFields(body))
+        if (const PartKey key = keyOf(single, names); key.subject.name != 0) keys.push_back(key);
+    return keys;
+}
+
 /// True where both do the same to the same thing, so that the later one stands for both.
 bool doesTheSame(const CommandBody& a, const CommandBody& b, Names& names) {
     if (a.index() != b.index()) return false;
-    if (const auto* bodies = std::get_if<SetBodies>(&a)) return bodies->ids == std::get<SetBodies>(b).ids;
-    const PartKey key = keyOf(a, names);
-    return key == keyOf(b, names) && key.subject.name != 0;
+    if (const auto* bodies = std::get_if<ChangeCharacters>(&a))
+        return bodies->ids == std::get<ChangeCharacters>(b).ids;
+    const std::vector<PartKey> keys = keysOf(a, names);
+    return !keys.empty() && keys == keysOf(b, names);
 }
 
 /// True where the one that waits need not be carried out, because the later one stands for it.
@@ -40,7 +50,7 @@ void startAgain(Difference& difference) {
     for (std::size_t k = 0, count = difference.parts.size(); k < count; ++k) {
         PartChange counted = difference.parts[k];
         if (counted.key.subject.kind != SubjectKind::Start || !counted.before ||
-            !std::holds_alternative<SetCount>(*counted.before))
+            !changesField(*counted.before, &ChangeGroup::count))
             continue;
         counted.key.subject.kind = SubjectKind::Group;
         difference.parts.push_back(std::move(counted));
@@ -53,10 +63,6 @@ void startAgain(Difference& difference) {
                 if (*said && std::holds_alternative<AddGroup>(**said)) *said = AddGroup{*crew.start};
         }
     }
-}
-
-bool isEdit(const CommandBody& body) {
-    return setsPart(body) || isOneOf<SetCount, SetBodies>(body);
 }
 
 }  // namespace
@@ -122,10 +128,10 @@ Status PlaceEditor::want(std::uint32_t client, std::string label, std::uint32_t 
                                " bytes, expected at most " + std::to_string(kMostLabel));
     for (std::size_t k = 0; k < bodies.size(); ++k) {
         const std::string where = "edit: $[" + std::to_string(k) + "]: ";
-        if (!isEdit(bodies[k]))
+        if (!traitsOf(bodies[k]).edits)
             return invalidArgument(where + "found a command of another kind, expected a change of the place");
         for (std::size_t other = 0; other < k; ++other)
-            if (!std::holds_alternative<SetBodies>(bodies[k]) &&
+            if (!std::holds_alternative<ChangeCharacters>(bodies[k]) &&
                 !std::holds_alternative<SetParameter>(bodies[k]) &&
                 doesTheSame(bodies[k], bodies[other], names_))
                 return invalidArgument(where + "found a thing that was named before, expected each once");
@@ -228,7 +234,7 @@ std::vector<Subject> PlaceEditor::subjectsOf(const std::vector<CommandBody>& bod
                                              const std::vector<Concern>& concerns) {
     std::vector<Subject> things;
     const auto put = [&](const CommandBody& body) {
-        if (const Subject thing = keyOf(body, names_).subject; thing.name != 0) things.push_back(thing);
+        for (const PartKey& key : keysOf(body, names_)) things.push_back(key.subject);
     };
     for (const CommandBody& body : bodies) put(body);
     for (const Concern& concern : concerns)

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/world/inspect.h"
+#include "studio/session/history/group_fields.h"
 #include "studio/session/history/place_editor.h"
 #include "studio/session/inbox/received_commands.h"
 
@@ -74,7 +75,9 @@ void PlaceEditor::addAct(std::uint32_t client, std::vector<CommandBody> bodies,
     const Scene scene{world, place_, names_};
     for (const CommandBody& body : bodies) act.concerns.push_back(record_.read(body, scene, false));
     if (std::all_of(bodies.begin(), bodies.end(), isContinuous))
-        for (const CommandBody& body : bodies) act.step.slides.push_back(keyOf(body, names_));
+        for (const CommandBody& body : bodies)
+            for (const CommandBody& single : singleFields(body))
+                act.step.slides.push_back(keyOf(single, names_));
     act.batch.bodies = std::move(bodies);
     act.sequences = std::move(sequences);
     acts_.push_back(std::move(act));
@@ -198,7 +201,7 @@ void PlaceEditor::applyToPlace(const Given& one, const std::vector<std::size_t>&
     const bool first = one.way == Given::Way::Do;
     for (const std::size_t k : accepted) {
         const CommandBody& body = one.batch.bodies[k];
-        if (first || isOneOf<RemoveGroup, SetBodies, SetParameter>(body)) place_.apply(body, world);
+        if (first || isOneOf<RemoveGroup, ChangeCharacters, SetParameter>(body)) place_.apply(body, world);
     }
     if (first) return;
     for (const Crew& crew : one.step.difference.crews) {

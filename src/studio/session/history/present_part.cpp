@@ -3,9 +3,11 @@
 
 #include "base/maths.h"
 #include "engine/ground/environment/environment.h"
+#include "engine/state/group_change.h"
 #include "engine/world/inspect.h"
 #include "muster/parameter_table.h"
 #include "studio/session/history/definition.h"
+#include "studio/session/history/group_fields.h"
 
 namespace muster {
 namespace {
@@ -44,16 +46,10 @@ GroupDef wholeGroup(const World& world, std::size_t g) {
 struct OfGroup {
     const GroupDef& def;
 
-    Said operator()(const NameGroup& c) const { return NameGroup{c.group, def.name}; }
-    Said operator()(const ColourGroup& c) const { return ColourGroup{c.group, def.colour}; }
-    Said operator()(const SetAppearance& c) const { return SetAppearance{c.group, def.build, def.motions}; }
-    Said operator()(const SetPeople& c) const { return SetPeople{c.group, def.people}; }
-    Said operator()(const SetFormation& c) const { return SetFormation{c.group, def.formation}; }
-    Said operator()(const SetConduct& c) const { return SetConduct{c.group, def.conduct}; }
-    Said operator()(const SetRoles& c) const { return SetRoles{c.group, def.roles}; }
-    Said operator()(const SetDemands& c) const { return SetDemands{c.group, def.demands}; }
-    Said operator()(const SetCount& c) const { return SetCount{c.group, def.count}; }
-    Said operator()(const PlaceGroup& c) const { return PlaceGroup{c.group, def.position, def.angle}; }
+    Said operator()(const ChangeGroup& c) const { return sameFields(wholeChange(c.group, def), c); }
+    Said operator()(const SetPose& c) const {
+        return c.characters ? Said(SetPose{c.group, def.position, def.angle, true}) : Said();
+    }
     template <class Other>
     Said operator()(const Other&) const {
         return {};
@@ -101,21 +97,18 @@ struct Present {
         return onGroup(c.group,
                        [&](std::size_t g, const GroupDef&) { return AddGroup{wholeGroup(world, g)}; });
     }
-    Said operator()(const PlaceGroup& c) const {
-        const auto pose = (*this)(SetPose{c.group, {}, 0.0});
-        if (!pose) return {};
-        const auto& [group, position, angle] = std::get<SetPose>(*pose);
-        return PlaceGroup{group, position, angle};
-    }
-    Said operator()(const SetFormation& c) const {
-        return onGroup(c.group, [&](std::size_t g, const GroupDef&) {
-            return SetFormation{c.group, inspect::ownFormation(world, g)};
+    Said operator()(const ChangeGroup& c) const {
+        return onGroup(c.group, [&](std::size_t g, const GroupDef& def) {
+            ChangeGroup whole = wholeChange(c.group, def);
+            whole.formation = inspect::ownFormation(world, g);
+            return sameFields(std::move(whole), c);
         });
     }
     Said operator()(const SetPose& c) const {
         return onGroup(c.group, [&](std::size_t g, const GroupDef&) {
             const Pose pose = world.group(g).pose;
-            return SetPose{c.group, pose.position, arcTangent2(pose.rotation.s, pose.rotation.c)};
+            return SetPose{c.group, pose.position, arcTangent2(pose.rotation.s, pose.rotation.c),
+                           c.characters};
         });
     }
     Said operator()(const PinControl& c) const {

@@ -129,7 +129,6 @@ GroupId queueChangedBy(const CommandBody& body) {
     if (const auto* give = std::get_if<GiveOrder>(&body)) return give->group;
     if (const auto* edit = std::get_if<EditQueue>(&body)) return edit->group;
     if (const auto* set = std::get_if<SetPose>(&body)) return set->group;
-    if (const auto* place = std::get_if<PlaceGroup>(&body)) return place->group;
     return {};
 }
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "engine/world/inspect.h"
-#include "studio/session/inbox/received_commands.h"
+#include "studio/session/history/group_fields.h"
 
 namespace muster {
 namespace {
@@ -26,8 +26,10 @@ public:
 
     void add(const CommandBody& body, const Concern& concern) {
         const std::vector<std::uint32_t> ids = births_.of(body, scene_.world);
-        if (setsPart(body)) say(body, ids);
-        if (concern.place) start(body);
+        for (const CommandBody& single : singleFields(body)) {
+            if (setsPart(single)) say(single, ids);
+            if (concern.place) start(single);
+        }
         if (const GroupId group = queueChangedBy(body)) order(group, body, ids);
         if (const auto* remove = std::get_if<RemoveGroup>(&body)) {
             remember(remove->group, concern.characters);
@@ -209,8 +211,10 @@ void StepRecord::readQueue(GroupId group, const Scene& scene) {
 
 Concern StepRecord::read(const CommandBody& body, const Scene& scene, bool place) {
     Concern concern = concernOf(body, scene.world, place);
-    if (setsPart(body)) readPart(body, scene);
-    if (place) readStart(body, scene);
+    for (const CommandBody& single : singleFields(body)) {
+        if (setsPart(single)) readPart(single, scene);
+        if (place) readStart(single, scene);
+    }
     for (const Concern::Part& part : concern.parts) readPart(part.asked, scene);
     if (const GroupId group = queueChangedBy(body)) readQueue(group, scene);
     for (const GroupId group : concern.queues) readQueue(group, scene);

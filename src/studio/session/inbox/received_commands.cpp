@@ -29,7 +29,8 @@ Status beyondLimit(const char* what, std::size_t found, std::size_t most) {
 std::size_t charactersIn(const CommandBody& body) {
     if (const auto* join = std::get_if<AddCharacters>(&body)) return join->positions.size();
     if (const auto* group = std::get_if<AddGroup>(&body)) return static_cast<std::size_t>(group->group.count);
-    if (const auto* set = std::get_if<SetCount>(&body)) return static_cast<std::size_t>(set->count);
+    if (const auto* change = std::get_if<ChangeGroup>(&body))
+        return static_cast<std::size_t>(change->count.value_or(0));
     return 0;
 }
 

@@ -58,7 +58,7 @@ public:
         const auto give = [&](std::uint32_t step, CommandBody body) {
             take_.commands.push_back({step, client, sequence++, std::move(body)});
         };
-        give(from, SetDriver{{bend_.character}, Driver::Outside});
+        give(from, ChangeCharacters{{bend_.character}, {}, Driver::Outside});
         const double radius = take_.def.parameters.character.radius;
         for (std::uint32_t step = from; step < to; ++step) {
             const double after = (static_cast<double>(step) - bend_.step) * dt_;
@@ -66,7 +66,7 @@ public:
                                 bend_.offset * bendWeight(after, bend_.seconds);
             give(step, WriteMotion{{bend_.character}, {environment.projectToFreeSpace(wanted, radius)}, {}});
         }
-        give(to, SetDriver{{bend_.character}, Driver::Muster});
+        give(to, ChangeCharacters{{bend_.character}, {}, Driver::Muster});
         return {};
     }
 

@@ -131,7 +131,13 @@ describe('things of a place', () => {
   });
 
   it('are told to the server by kind', () => {
-    expect(changeCommand(of('group', 1))).toEqual({ kind: 'placeGroup', group: 1, position: [-8, 0], angle: 1 });
+    expect(changeCommand(of('group', 1))).toEqual({
+      kind: 'pose',
+      group: 1,
+      position: [-8, 0],
+      angle: 1,
+      characters: true,
+    });
     expect(removeCommand(of('group', 1))).toEqual({ kind: 'removeGroup', group: 1 });
     expect(removeCommand(of('item', 7))).toEqual({ kind: 'removeThing', thing: 'item', id: 7 });
     expect(addCommand(thing('item', { centre: [3, 4], radius: 0.5 }))).toEqual({

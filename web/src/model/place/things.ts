@@ -264,7 +264,7 @@ function checkpointOf({ centre, radius, formation, rest }: Thing): Given<Checkpo
 export function changeCommand(one: Thing): Command {
   const added = addCommand(one);
   if (added.kind === 'putThing') return { ...added, id: one.id };
-  return { kind: 'placeGroup', group: one.id, position: one.centre, angle: one.angle };
+  return { kind: 'pose', group: one.id, position: one.centre, angle: one.angle, characters: true };
 }
 
 export function removeCommand({ kind, id }: Thing): Command {

@@ -1,8 +1,8 @@
 // Made by schema/generate.mjs from schema/messages.txt: change these, not this file.
 
-export const VERSION = 15;
+export const VERSION = 16;
 /** Of the WebSocket. */
-export const SUBPROTOCOL = 'muster.v15';
+export const SUBPROTOCOL = 'muster.v16';
 
 /** What a finger or a pointer does. */
 export const TouchPhase = {

@@ -5,14 +5,16 @@ export const kDefinitionLayouts: Readonly<Record<string, string>> = {
   Vec2: '0:f64 1:f64',
   PolygonWithHoles: 'outline:Vec2* holes:Vec2**',
   FormationDef: 'kind:FormationKind=square spacing:f64=1 opening:f64=1.2 outline:PolygonWithHoles points:Vec2* files:i32',
-  Body: 'radius:f64 maxSpeed:f64 acceleration:f64 mass:f64=1 supply:f64=1 unitClass:u8 headway:f64 premovement:f64 upstairs:f64 downstairs:f64',
-  RoleDef: 'area:RoleArea=front unitClass:u8=1',
+  Distribution: 'spread:Spread=constant a:f64 b:f64 least:f64 most:f64=1e9',
+  PeopleDef: 'name:text share:f64=1 unitClass:u8 speed:Distribution radius:Distribution headway:Distribution premovement:Distribution age:Distribution upstairs:f64 downstairs:f64',
   Conduct: 'stance:Stance=normal cohesion:f64 squeeze:f64=1 avoids:bool',
+  RoleDef: 'area:RoleArea=front unitClass:u8=1',
+  GroupColour: 'colour:u32?',
+  GroupLook: 'build:BodyBuild? motions:MotionSet?',
+  Body: 'radius:f64 maxSpeed:f64 acceleration:f64 mass:f64=1 supply:f64=1 unitClass:u8 headway:f64 premovement:f64 upstairs:f64 downstairs:f64',
   Waypoint: 'time:f64 position:Vec2 angle:f64',
   TimedPath: 'waypoints:Waypoint* loop:bool',
   Order: 'kind:OrderKind=move target:Vec2 facing:f64? width:f64 route:Vec2* formation:FormationDef? manner:Manner=march turn:Turn=flow pace:f64 share:f64=0.95 group:u32 character:u32 offset:Vec2 halfSize:Vec2 path:TimedPath exits:u32* choice:ExitChoice=quickest attractions:f64* herding:f64 misjudgement:f64 area:u32 seconds:f64',
-  Distribution: 'spread:Spread=constant a:f64 b:f64 least:f64 most:f64=1e9',
-  PeopleDef: 'name:text share:f64=1 unitClass:u8 speed:Distribution radius:Distribution headway:Distribution premovement:Distribution age:Distribution upstairs:f64 downstairs:f64',
   GroupDef: 'name:text=Group count:i32=36 formation:FormationDef position:Vec2 angle:f64 starts:Vec2* jitter:f64 bodies:Body* roles:RoleDef* demands:f64* conduct:Conduct orders:Order* patrols:bool colour:u32? build:BodyBuild? motions:MotionSet? people:PeopleDef*',
   ObstacleDef: 'name:text polygon:Vec2* centre:Vec2 radius:f64 path:TimedPath range:f64=-1 strength:f64=-1 height:f64=3',
   PatchDef: 'name:text polygon:Vec2* path:TimedPath motion:i32 speed:f64=-1 ascent:f64? speedDown:f64=-1',
@@ -25,7 +27,7 @@ export const kDefinitionLayouts: Readonly<Record<string, string>> = {
 
 // prettier-ignore
 /** What bytes call the kinds of commands, in the order of kCommandLayouts. */
-export const kCommandNumbers: readonly number[] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 47, 48, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 39, 40, 41, 42, 45, 46];
+export const kCommandNumbers: readonly number[] = [0, 1, 2, 3, 4, 5, 6, 7, 49, 10, 11, 12, 47, 48, 19, 20, 21, 23, 25, 26, 27, 50, 32, 46];
 
 // prettier-ignore
 /** Commands: kind and fields. */
@@ -38,9 +40,8 @@ export const kCommandLayouts: readonly (readonly [string, string])[] = [
   ['pin', 'group:u32 control:u32 pinned:bool=1'],
   ['remove', 'group:u32 control:u32'],
   ['release', 'unused:u8'],
-  ['formation', 'group:u32 formation:FormationDef'],
-  ['count', 'group:u32 count:i32'],
-  ['pose', 'group:u32 position:Vec2 angle:f64'],
+  ['changeGroup', 'group:u32 formation:FormationDef? count:i32? people:PeopleDef*? conduct:Conduct? roles:RoleDef*? demands:f64*? name:text? colour:GroupColour? look:GroupLook?'],
+  ['pose', 'group:u32 position:Vec2 angle:f64 characters:bool'],
   ['group', 'group:GroupDef'],
   ['removeGroup', 'group:u32'],
   ['putThing', 'id:u32 obstacle:ObstacleDef? patch:PatchDef? item:ItemDef? checkpoint:CheckpointDef? area:AreaDef? group:u32'],
@@ -48,21 +49,11 @@ export const kCommandLayouts: readonly (readonly [string, string])[] = [
   ['parameter', 'name:text value:f64'],
   ['order', 'group:u32 mode:QueueMode=replace index:u32 order:Order'],
   ['queue', 'group:u32 edit:QueueEdit=cancel order:u32'],
-  ['conduct', 'group:u32 conduct:Conduct'],
   ['join', 'group:u32 positions:Vec2* bodies:Body*'],
-  ['leave', 'ids:u32*'],
   ['transfer', 'ids:u32* group:u32'],
   ['split', 'group:u32 by:SplitBy=ids ids:u32* points:Vec2* shares:f64* abreast:bool shape:PartShape=asHeld'],
   ['merge', 'groups:u32* shape:PartShape=smaller'],
-  ['bodies', 'ids:u32* bodies:Body*'],
-  ['roles', 'group:u32 roles:RoleDef*'],
-  ['demands', 'group:u32 demands:f64*'],
-  ['driver', 'ids:u32* driver:Driver=muster'],
+  ['changeCharacters', 'ids:u32* bodies:Body*? driver:Driver?'],
   ['motion', 'ids:u32* positions:Vec2* velocities:Vec2*'],
-  ['placeGroup', 'group:u32 position:Vec2 angle:f64'],
-  ['nameGroup', 'group:u32 name:text'],
-  ['colourGroup', 'group:u32 colour:u32?'],
-  ['appearance', 'group:u32 build:BodyBuild? motions:MotionSet?'],
-  ['people', 'group:u32 people:PeopleDef*'],
   ['reverseQueue', 'group:u32'],
 ];

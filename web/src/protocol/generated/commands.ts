@@ -54,6 +54,78 @@ export interface FormationDef {
   readonly files: number;
 }
 
+/** The distribution of a number over persons. What lies outside `least` to `most` is cut off: it is not drawn, and what lies inside is drawn in its proportions. A constant is as it is. */
+export interface Distribution {
+  /** Its kind. */
+  readonly spread: SpreadWord;
+  /** First number, in the unit of what is drawn but for LogNormal. */
+  readonly a: number;
+  /** Second number; not read for Constant. */
+  readonly b: number;
+  /** The smallest value that occurs. */
+  readonly least: number;
+  /** The largest one. */
+  readonly most: number;
+}
+
+/** One sort of persons in a group. What is constantly 0 is not drawn: it is that of GroupDef::bodies, or of the parameters where that is 0, too. */
+export interface PeopleDef {
+  /** Name for display: "Women over 50". */
+  readonly name: string;
+  /** Share of the group, above 0; shares are divided by their sum. */
+  readonly share: number;
+  /** Class, for roles; 0 for none. */
+  readonly unitClass: number;
+  /** Top speed in the open, 0 or 0.01 to 50 [m/s]. */
+  readonly speed: Distribution;
+  /** Radius of the body, 0 or 0.05 to 1.5 [m]. */
+  readonly radius: Distribution;
+  /** Time that it keeps from who is ahead, 0 or 0.02 to 5 [s]. */
+  readonly headway: Distribution;
+  /** Time until it sets out on its first order, 0 to 1e7 [s]. */
+  readonly premovement: Distribution;
+  /** Age, 0 or 5 to 90; above 0 it gives the top speed in the place of `speed`, as RiMEA has it [years]. */
+  readonly age: Distribution;
+  /** Speed up stairs as a share of that in the open, 0 or 0.01 to 1. */
+  readonly upstairs: number;
+  /** Speed down stairs as a share of that in the open, 0 or 0.01 to 1. */
+  readonly downstairs: number;
+}
+
+/** How a group behaves, whatever its orders. */
+export interface Conduct {
+  /** Who makes room. */
+  readonly stance: StanceWord;
+  /** 0: everybody walks at their own pace; 1: at that of the slowest, [0, 1]. */
+  readonly cohesion: number;
+  /** Share of its width that it may give up in narrow passages, [0, 1]; 0 for none. */
+  readonly squeeze: number;
+  /** True: its mesh gives way to other meshes and to moving obstacles (SPEC B3). */
+  readonly avoids: boolean;
+}
+
+/** Characters of a class take their places in a part of the formation: as many as there are such characters. Roles choose in their order; who is of no role takes what is left. (Ranks by class: several roles in front.) */
+export interface RoleDef {
+  /** Where. */
+  readonly area: RoleAreaWord;
+  /** Who, 1 or more. */
+  readonly unitClass: number;
+}
+
+/** The colour of a group. */
+export interface GroupColour {
+  /** Colour for display, 0xRRGGBB; none for the palette's. */
+  readonly colour: number | null;
+}
+
+/** How the people of a group look. */
+export interface GroupLook {
+  /** Build of its drawn bodies; none for both, by the character's id. */
+  readonly build: BodyBuildWord | null;
+  /** How it walks and jogs; none for the plain manner. */
+  readonly motions: MotionSetWord | null;
+}
+
 /** The body of a character. A number of 0 stands for the parameter of that name. */
 export interface Body {
   /** Radius, 0 or 0.05 to 1.5 [m]. */
@@ -76,26 +148,6 @@ export interface Body {
   readonly upstairs: number;
   /** Speed down stairs as a share of that in the open, 0.01 to 1; 0: the stairs'. */
   readonly downstairs: number;
-}
-
-/** Characters of a class take their places in a part of the formation: as many as there are such characters. Roles choose in their order; who is of no role takes what is left. (Ranks by class: several roles in front.) */
-export interface RoleDef {
-  /** Where. */
-  readonly area: RoleAreaWord;
-  /** Who, 1 or more. */
-  readonly unitClass: number;
-}
-
-/** How a group behaves, whatever its orders. */
-export interface Conduct {
-  /** Who makes room. */
-  readonly stance: StanceWord;
-  /** 0: everybody walks at their own pace; 1: at that of the slowest, [0, 1]. */
-  readonly cohesion: number;
-  /** Share of its width that it may give up in narrow passages, [0, 1]; 0 for none. */
-  readonly squeeze: number;
-  /** True: its mesh gives way to other meshes and to moving obstacles (SPEC B3). */
-  readonly avoids: boolean;
 }
 
 /** Position and angle of a moving object at one time. */
@@ -162,44 +214,6 @@ export interface Order {
   readonly area: number;
   /** For Wait: how long, from when its share has come, 0 to 1e9; 0 for no end [s]. */
   readonly seconds: number;
-}
-
-/** The distribution of a number over persons. What lies outside `least` to `most` is cut off: it is not drawn, and what lies inside is drawn in its proportions. A constant is as it is. */
-export interface Distribution {
-  /** Its kind. */
-  readonly spread: SpreadWord;
-  /** First number, in the unit of what is drawn but for LogNormal. */
-  readonly a: number;
-  /** Second number; not read for Constant. */
-  readonly b: number;
-  /** The smallest value that occurs. */
-  readonly least: number;
-  /** The largest one. */
-  readonly most: number;
-}
-
-/** One sort of persons in a group. What is constantly 0 is not drawn: it is that of GroupDef::bodies, or of the parameters where that is 0, too. */
-export interface PeopleDef {
-  /** Name for display: "Women over 50". */
-  readonly name: string;
-  /** Share of the group, above 0; shares are divided by their sum. */
-  readonly share: number;
-  /** Class, for roles; 0 for none. */
-  readonly unitClass: number;
-  /** Top speed in the open, 0 or 0.01 to 50 [m/s]. */
-  readonly speed: Distribution;
-  /** Radius of the body, 0 or 0.05 to 1.5 [m]. */
-  readonly radius: Distribution;
-  /** Time that it keeps from who is ahead, 0 or 0.02 to 5 [s]. */
-  readonly headway: Distribution;
-  /** Time until it sets out on its first order, 0 to 1e7 [s]. */
-  readonly premovement: Distribution;
-  /** Age, 0 or 5 to 90; above 0 it gives the top speed in the place of `speed`, as RiMEA has it [years]. */
-  readonly age: Distribution;
-  /** Speed up stairs as a share of that in the open, 0 or 0.01 to 1. */
-  readonly upstairs: number;
-  /** Speed down stairs as a share of that in the open, 0 or 0.01 to 1. */
-  readonly downstairs: number;
 }
 
 /** A group of characters with one mesh. */
@@ -426,25 +440,32 @@ export interface ReleaseClientCommand {
   readonly kind: 'release';
 }
 
-/** The group takes another formation. */
-export interface SetFormationCommand {
-  readonly kind: 'formation';
+/** Changes what a group is. What is not given stays as it is. First comes the formation with its number of places, then the sorts of people, who joins or leaves, and all else. Where one of them cannot be, none is changed. */
+export interface ChangeGroupCommand {
+  readonly kind: 'changeGroup';
   /** Group to change. */
   readonly group: number;
-  /** Its new definition. */
-  readonly formation: Given<FormationDef>;
+  /** Its formation; none for the one that it has. */
+  readonly formation?: Given<FormationDef | null>;
+  /** Its number of characters: new ones join behind the mesh, those with the highest ids leave first; none for the number that it has. */
+  readonly count?: number | null;
+  /** Its sorts of persons, empty where all are as GroupDef::bodies say. Persons who join it are drawn by them from now on. Its present members are drawn again, as those who come at once: each number that neither the sorts before nor these draw stays as it is. A person who has heard an order sets out when it was to; none for the sorts that it has. */
+  readonly people?: Given<readonly PeopleDef[] | null>;
+  /** How it behaves; none for as it does. */
+  readonly conduct?: Given<Conduct | null>;
+  /** Which class stands where, in the order in which they choose places; none for the roles that it has. */
+  readonly roles?: Given<readonly RoleDef[] | null>;
+  /** How many units of supply each place demands (SPEC A1), 0 to 1000, of each place, or empty for 1 each; none for the demands that these have. */
+  readonly demands?: readonly number[] | null;
+  /** Its name, of at most 4,096 bytes; none for the one that it has. */
+  readonly name?: string | null;
+  /** Its colour; none for the one that it has. */
+  readonly colour?: Given<GroupColour | null>;
+  /** How its people look; none for as they do. */
+  readonly look?: Given<GroupLook | null>;
 }
 
-/** Changes the number of characters. New ones join behind the mesh; those with the highest ids leave first. */
-export interface SetCountCommand {
-  readonly kind: 'count';
-  /** Group to change. */
-  readonly group: number;
-  /** New number of characters. */
-  readonly count: number;
-}
-
-/** Moves the mesh at once; its places travel there. */
+/** Moves the mesh of a group at once; its places and its characters walk there, or stand there at once. Its orders and controls end. */
 export interface SetPoseCommand {
   readonly kind: 'pose';
   /** Group to move. */
@@ -453,6 +474,8 @@ export interface SetPoseCommand {
   readonly position: Vec2;
   /** New heading, counter-clockwise from +x [rad]. */
   readonly angle?: number;
+  /** True: its places and characters are there at once, and stand still. */
+  readonly characters?: boolean;
 }
 
 /** Adds a group. */
@@ -530,15 +553,6 @@ export interface EditQueueCommand {
   readonly order?: number;
 }
 
-/** Tells a group how to behave. */
-export interface SetConductCommand {
-  readonly kind: 'conduct';
-  /** The group. */
-  readonly group: number;
-  /** How it behaves. */
-  readonly conduct: Given<Conduct>;
-}
-
 /** Characters join a group where they stand; places are added to its formation. Events Joined tell their ids. */
 export interface AddCharactersCommand {
   readonly kind: 'join';
@@ -550,20 +564,13 @@ export interface AddCharactersCommand {
   readonly bodies?: Given<readonly Body[]>;
 }
 
-/** Characters leave the world; the ranks behind them close up. A group may become empty, and stays. */
-export interface RemoveCharactersCommand {
-  readonly kind: 'leave';
-  /** Their ids. */
-  readonly ids: readonly number[];
-}
-
-/** Characters leave their groups for another one. Ids, positions and velocities stay. */
+/** Characters leave their groups for another one, or leave the world. Ids, positions and velocities stay. The ranks behind them close up; a group may become empty, and stays. */
 export interface TransferCharactersCommand {
   readonly kind: 'transfer';
   /** Their ids. */
   readonly ids: readonly number[];
-  /** Group that they join. */
-  readonly group: number;
+  /** Group that they join; none to leave the world. */
+  readonly group?: number;
 }
 
 /** Divides a group. The part that leaves is a new group, whose id the event GroupAdded tells; nobody stops, and all parts go on with the orders of the whole. */
@@ -594,40 +601,15 @@ export interface MergeGroupsCommand {
   readonly shape?: PartShapeWord;
 }
 
-/** Gives characters other bodies. */
-export interface SetBodiesCommand {
-  readonly kind: 'bodies';
+/** Changes what characters are. What is not given stays as it is. */
+export interface ChangeCharactersCommand {
+  readonly kind: 'changeCharacters';
   /** Their ids. */
   readonly ids: readonly number[];
-  /** One for each, or one for all. */
-  readonly bodies: Given<readonly Body[]>;
-}
-
-/** Says which class stands where in a formation. */
-export interface SetRolesCommand {
-  readonly kind: 'roles';
-  /** The group. */
-  readonly group: number;
-  /** In the order in which they choose places; empty for none. */
-  readonly roles?: Given<readonly RoleDef[]>;
-}
-
-/** Says how many units of supply each place demands (SPEC A1). */
-export interface SetDemandsCommand {
-  readonly kind: 'demands';
-  /** The group. */
-  readonly group: number;
-  /** Of each place, 0 to 1000; empty for 1 each. */
-  readonly demands: readonly number[];
-}
-
-/** Says what moves characters. */
-export interface SetDriverCommand {
-  readonly kind: 'driver';
-  /** Their ids. */
-  readonly ids: readonly number[];
-  /** What moves them. */
-  readonly driver: DriverWord;
+  /** Their bodies, one for each or one for all; none for those that they have. */
+  readonly bodies?: Given<readonly Body[] | null>;
+  /** What moves them; none for what moves them now. */
+  readonly driver?: DriverWord | null;
 }
 
 /** Where characters that are moved from outside are after this step. */
@@ -639,55 +621,6 @@ export interface WriteMotionCommand {
   readonly positions: readonly Vec2[];
   /** Their velocities; empty for what follows from the last positions [m/s]. */
   readonly velocities?: readonly Vec2[];
-}
-
-/** Puts a group elsewhere at once: its mesh, its places, and its characters, who stand still there. Its orders and controls end. (SetPose moves the mesh alone, and characters walk.) */
-export interface PlaceGroupCommand {
-  readonly kind: 'placeGroup';
-  /** The group. */
-  readonly group: number;
-  /** New centre of the formation [m]. */
-  readonly position: Vec2;
-  /** New heading, counter-clockwise from +x [rad]. */
-  readonly angle?: number;
-}
-
-/** Gives a group another name. */
-export interface NameGroupCommand {
-  readonly kind: 'nameGroup';
-  /** The group. */
-  readonly group: number;
-  /** At most 4,096 bytes. */
-  readonly name: string;
-}
-
-/** Gives a group another colour. */
-export interface ColourGroupCommand {
-  readonly kind: 'colourGroup';
-  /** The group. */
-  readonly group: number;
-  /** 0xRRGGBB; none for the palette's, by the group's id. */
-  readonly colour?: number | null;
-}
-
-/** Gives the people of a group another appearance. */
-export interface SetAppearanceCommand {
-  readonly kind: 'appearance';
-  /** The group. */
-  readonly group: number;
-  /** Build of its drawn bodies; none for both, by the character's id. */
-  readonly build?: BodyBuildWord | null;
-  /** How it walks and jogs; none for the plain manner. */
-  readonly motions?: MotionSetWord | null;
-}
-
-/** Gives a group other sorts of persons. Persons who join it by number or by a source are drawn by them from now on. Its present members are drawn again, as those who come at once: each number that neither the sorts before nor these draw stays as it is. A person who has heard an order sets out when it was to. */
-export interface SetPeopleCommand {
-  readonly kind: 'people';
-  /** The group. */
-  readonly group: number;
-  /** Its sorts; none: all are as GroupDef::bodies say. */
-  readonly people?: Given<readonly PeopleDef[]>;
 }
 
 /** Reverses the orders of a group's queue: the last one begins, and what is under way comes last. */
@@ -707,8 +640,7 @@ export type Command =
   | PinControlCommand
   | RemoveControlCommand
   | ReleaseClientCommand
-  | SetFormationCommand
-  | SetCountCommand
+  | ChangeGroupCommand
   | SetPoseCommand
   | AddGroupCommand
   | RemoveGroupCommand
@@ -717,20 +649,10 @@ export type Command =
   | SetParameterCommand
   | GiveOrderCommand
   | EditQueueCommand
-  | SetConductCommand
   | AddCharactersCommand
-  | RemoveCharactersCommand
   | TransferCharactersCommand
   | SplitGroupCommand
   | MergeGroupsCommand
-  | SetBodiesCommand
-  | SetRolesCommand
-  | SetDemandsCommand
-  | SetDriverCommand
+  | ChangeCharactersCommand
   | WriteMotionCommand
-  | PlaceGroupCommand
-  | NameGroupCommand
-  | ColourGroupCommand
-  | SetAppearanceCommand
-  | SetPeopleCommand
   | ReverseQueueCommand;

@@ -337,6 +337,20 @@ export interface GroupDef {
   readonly patrols?: boolean;
 }
 
+/** The colour of a group. */
+export interface GroupColour {
+  /** Of its shirts and marks; left out: the palette's. */
+  readonly colour?: string;
+}
+
+/** How the people of a group look. */
+export interface GroupLook {
+  /** Build of the drawn bodies; left out: both, by their ids. */
+  readonly build?: BodyBuildWord;
+  /** How they walk and jog; left out: plainly. */
+  readonly motions?: MotionSetWord;
+}
+
 /** A disc that changes the formation of a group which passes it. */
 export interface CheckpointDef {
   /** Where it lies [m]. */

@@ -148,16 +148,16 @@ export class ChosenFields {
     const spacing = one.formation.spacing ?? 1;
     const formation = (change: Partial<FormationWords>): void =>
       desk.editGroup('Formation', (it) => ({
-        kind: 'formation',
+        kind: 'changeGroup',
         group: it.id,
         formation: { ...it.formation, ...change },
       }));
     return [
       textField('Name', one.name, (name) => {
-        if (name) desk.editGroup('Rename', (it) => ({ kind: 'nameGroup', group: it.id, name }));
+        if (name) desk.editGroup('Rename', (it) => ({ kind: 'changeGroup', group: it.id, name }));
       }),
       numberField('People', one.count, { min: Math.min(1, one.count), max: 20000, whole: true }, (count) =>
-        desk.editGroup('People', (it) => ({ kind: 'count', group: it.id, count })),
+        desk.editGroup('People', (it) => ({ kind: 'changeGroup', group: it.id, count })),
       ),
       numberField('Spacing', spacing, { min: 0.3, max: 20, unit: 'm' }, (value) => formation({ spacing: value })),
       selectField('Formation', kShapes, one.formation.kind, (kind) => formation({ kind: formationKind(kind) })),

@@ -68,7 +68,7 @@ it('gives a class, and a class its part of the formation', () => {
   give('Class 2 stands', 'Rear', 'change');
   expect(sent.map(([, event]) => event)).toEqual([
     { kind: 'groupBody', edit: { ...kAsTheyAre, unitClass: 2 } },
-    { kind: 'roles', group: 4, roles: [{ area: 'rear', unitClass: 2 }] },
+    { kind: 'changeGroup', group: 4, roles: [{ area: 'rear', unitClass: 2 }] },
   ]);
 });
 
@@ -95,8 +95,8 @@ it('sends build and motion set together, none for what is as usual', () => {
   show({ ...group, rest: { build: 'narrow', motions: 'march' } });
   give('Build', 'Both', 'change');
   expect(sent).toEqual([
-    ['Build', { kind: 'appearance', group: 4, build: 'narrow', motions: null }],
-    ['Motion set', { kind: 'appearance', group: 4, build: 'narrow', motions: 'march' }],
-    ['Build', { kind: 'appearance', group: 4, build: null, motions: 'march' }],
+    ['Build', { kind: 'changeGroup', group: 4, look: { build: 'narrow', motions: null } }],
+    ['Motion set', { kind: 'changeGroup', group: 4, look: { build: 'narrow', motions: 'march' } }],
+    ['Build', { kind: 'changeGroup', group: 4, look: { build: null, motions: 'march' } }],
   ]);
 });

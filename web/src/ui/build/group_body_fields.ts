@@ -2,7 +2,7 @@
 
 import { areaOf, classesOf, kAnywhere, kAreas, withArea } from '../../model/place/group_body';
 import type { PlaceChange, Thing } from '../../model/place/things';
-import type { SetAppearanceCommand } from '../../protocol/generated/commands';
+import type { GroupLook } from '../../protocol/generated/commands';
 import type { BuildActions } from './build_actions';
 import { selectField, sliderField, type SliderRange } from './fields';
 
@@ -44,7 +44,7 @@ function bodySlider(
   return sliderField(label, value, range, dragging, (typed) => desk.editGroup(label, event(typed)));
 }
 
-/** Build and motion set: the command has both, none for what is as usual. */
+/** Build and motion set: a look has both, none for what is as usual. */
 function appearanceField(
   one: Thing,
   [key, label, words]: readonly ['build' | 'motions', string, Readonly<Record<string, string>>],
@@ -55,7 +55,7 @@ function appearanceField(
     const chosen = Object.keys(words).find((known) => words[known] === shown) ?? '';
     desk.editGroup(label, ({ id, rest }) => {
       const wished = { build: rest['build'] ?? null, motions: rest['motions'] ?? null, [key]: chosen || null };
-      return { kind: 'appearance', group: id, ...wished } as SetAppearanceCommand;
+      return { kind: 'changeGroup', group: id, look: wished as GroupLook };
     });
   });
 }
@@ -80,7 +80,7 @@ export function groupBodyFields(one: Thing, desk: BuildActions, hold: Hold): HTM
     }),
     ...classesOf(body, roles).map((of) =>
       selectField(`Class ${of} stands`, [kAnywhere, ...Object.values(kAreas)], areaOf(roles, of), (label) =>
-        desk.editGroup('Role', (it) => ({ kind: 'roles', group: it.id, roles: withArea(it.roles, of, label) })),
+        desk.editGroup('Role', (it) => ({ kind: 'changeGroup', group: it.id, roles: withArea(it.roles, of, label) })),
       ),
     ),
   ];

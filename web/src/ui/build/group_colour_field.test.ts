@@ -29,12 +29,12 @@ it('sends one edit for a swatch, none for the one that is chosen', () => {
   expect(marked()).toEqual(['Automatic, ember']);
   radio('Automatic, ember').click();
   radio('Magenta').click();
-  expect(sent).toEqual([['Colour', { kind: 'colourGroup', group: 4, colour: 0xd60ea8 }]]);
+  expect(sent).toEqual([['Colour', { kind: 'changeGroup', group: 4, colour: { colour: 0xd60ea8 } }]]);
   fields.show([{ ...group, colour: colourNumber(1, '#d60ea8') }], null);
   expect(marked()).toEqual(['Magenta']);
   radio('Magenta').click();
   radio('Automatic, ember').click();
-  expect(sent.slice(1)).toEqual([['Colour', { kind: 'colourGroup', group: 4, colour: null }]]);
+  expect(sent.slice(1)).toEqual([['Colour', { kind: 'changeGroup', group: 4, colour: { colour: null } }]]);
 });
 
 it('goes along by arrow keys without an edit, and leaves the focus where it was', () => {
@@ -59,7 +59,7 @@ it('takes any own colour, marks it, and says where it is hard to see', () => {
   own.dispatchEvent(new Event('input'));
   expect(sent).toEqual([]);
   own.dispatchEvent(new Event('change'));
-  expect(sent).toEqual([['Colour', { kind: 'colourGroup', group: 4, colour: 0xf2e8d0 }]]);
+  expect(sent).toEqual([['Colour', { kind: 'changeGroup', group: 4, colour: { colour: 0xf2e8d0 } }]]);
   fields.show([{ ...group, colour: colourNumber(1, '#f2e8d0') }], null);
   expect(marked()).toEqual([]);
   expect(fields.root.querySelector('.is-chosen')?.textContent).toBe('Own colour #F2E8D0');

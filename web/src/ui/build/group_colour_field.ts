@@ -99,9 +99,9 @@ export function groupColourField(one: Thing, desk: BuildActions): HTMLElement {
   const choose = (colour: string | null): void => {
     if ((colour?.toUpperCase() ?? null) === chosen) return;
     desk.editGroup('Colour', ({ id }) => ({
-      kind: 'colourGroup',
+      kind: 'changeGroup',
       group: id,
-      colour: colour ? numberOfColour(colour) : null,
+      colour: { colour: colour ? numberOfColour(colour) : null },
     }));
   };
   const title = element('span', { class: 'colour-title', id: 'group-colour-title' }, 'Colour', groupMark(one.colour));

@@ -59,7 +59,7 @@ it('adults become sorts of one’s own, whose spreads are typed', () => {
   show(group);
   give('Persons', 'Sorts of one’s own');
   const adults = { spread: 'normal', a: 1.34, b: 0.26, least: 0.5, most: 2.2 };
-  expect(last()).toEqual({ kind: 'people', group: 4, people: [{ ...kAdults, name: 'Sort 1' }] });
+  expect(last()).toEqual({ kind: 'changeGroup', group: 4, people: [{ ...kAdults, name: 'Sort 1' }] });
   follow(last().people);
   give('Speed, mean', '1');
   expect(last().people).toEqual([{ ...kAdults, name: 'Sort 1', speed: { ...adults, a: 1 } }]);
@@ -70,7 +70,7 @@ it('adults become sorts of one’s own, whose spreads are typed', () => {
     'The least speed is not below the largest one.',
   );
   give('Persons', 'All alike');
-  expect(last()).toEqual({ kind: 'people', group: 4, people: [] });
+  expect(last()).toEqual({ kind: 'changeGroup', group: 4, people: [] });
 });
 
 it('sorts are added, stay unfolded, and are removed', () => {

@@ -73,7 +73,7 @@ export class PersonFields {
 
   private give(sorts: readonly PersonSort[]): void {
     this.given_ = { sorts, at: performance.now() };
-    this.desk_.editGroup('Persons', ({ id }) => ({ kind: 'people', group: id, people: sorts }));
+    this.desk_.editGroup('Persons', ({ id }) => ({ kind: 'changeGroup', group: id, people: sorts }));
   }
 
   private adding(): HTMLElement {

@@ -8,7 +8,7 @@
 
 namespace muster {
 
-/// What is true of all commands of one kind.
+/// What is true of a command.
 struct CommandTraits {
     const char* label;  ///< What undo and redo call it; empty where that depends on more.
     bool undoable;      ///< It can be taken back.
@@ -18,6 +18,7 @@ struct CommandTraits {
     bool queues;        ///< It changes the queue of its group in a way that only the world knows.
 };
 
+/// Those of each kind.
 inline constexpr std::array<CommandTraits, std::variant_size_v<CommandKinds>> kCommandTraits{{
     {"", false, false, false, false, false},               // TouchDown
     {"", false, false, false, false, false},               // TouchMove
@@ -27,8 +28,7 @@ inline constexpr std::array<CommandTraits, std::variant_size_v<CommandKinds>> kC
     {"Pin", true, true, false, false, false},              // PinControl
     {"", false, true, false, false, false},                // RemoveControl
     {"", false, false, false, false, false},               // ReleaseClient
-    {"Change shape", true, true, true, false, false},      // SetFormation
-    {"People", true, true, true, true, false},             // SetCount
+    {"Change group", true, false, false, false, false},    // ChangeGroup
     {"Place group", true, true, false, false, false},      // SetPose
     {"Add group", true, true, true, false, false},         // AddGroup
     {"Remove group", true, false, true, false, false},     // RemoveGroup
@@ -37,28 +37,46 @@ inline constexpr std::array<CommandTraits, std::variant_size_v<CommandKinds>> kC
     {"Setting", true, true, true, true, false},            // SetParameter
     {"", true, true, false, false, false},                 // GiveOrder
     {"", true, true, false, false, false},                 // EditQueue
-    {"", true, true, true, true, false},                   // SetConduct
     {"Add people", true, true, false, false, false},       // AddCharacters
-    {"Remove people", true, true, false, false, false},    // RemoveCharacters
     {"Transfer people", true, true, false, false, false},  // TransferCharacters
     {"Split", true, true, false, false, false},            // SplitGroup
     {"Merge", true, true, false, false, false},            // MergeGroups
-    {"Bodies", true, true, true, false, false},            // SetBodies
-    {"Roles", true, true, true, false, false},             // SetRoles
-    {"Demands", true, true, true, true, false},            // SetDemands
-    {"", true, false, false, false, false},                // SetDriver
+    {"", true, false, false, false, false},                // ChangeCharacters
     {"", true, false, false, false, false},                // WriteMotion
-    {"", true, false, true, false, false},                 // PlaceGroup
-    {"", true, false, true, false, false},                 // NameGroup
-    {"", true, false, true, false, false},                 // ColourGroup
-    {"", true, false, true, false, false},                 // SetAppearance
-    {"", true, false, true, false, false},                 // SetPeople
     {"Reverse orders", true, true, false, false, true},    // ReverseQueue
 }};
 
-/// The traits of a command.
-inline const CommandTraits& traitsOf(const CommandBody& body) {
-    return kCommandTraits[body.index()];
+/// The traits of a command: those of its kind or, where it gives fields that have their own, those that all
+/// of these have.
+inline CommandTraits traitsOf(const CommandBody& body) {
+    CommandTraits traits = kCommandTraits[body.index()];
+    auto give = [&, first = true](bool given, const CommandTraits& of) mutable {
+        if (!given) return;
+        if (first && *of.label != '\0') traits.label = of.label;
+        traits.directs = of.directs && (first || traits.directs);
+        traits.edits = of.edits && (first || traits.edits);
+        traits.slides = of.slides && (first || traits.slides);
+        first = false;
+    };
+    if (const auto* c = std::get_if<ChangeGroup>(&body)) {
+        give(c->formation.has_value(), {"Change shape", true, true, true, false, false});
+        give(c->count.has_value(), {"People", true, true, true, true, false});
+        give(c->people.has_value(), {"", true, false, true, false, false});
+        give(c->conduct.has_value(), {"Conduct", true, true, true, true, false});
+        give(c->roles.has_value(), {"Roles", true, true, true, false, false});
+        give(c->demands.has_value(), {"Demands", true, true, true, true, false});
+        give(c->name.has_value(), {"", true, false, true, false, false});
+        give(c->colour.has_value(), {"", true, false, true, false, false});
+        give(c->look.has_value(), {"", true, false, true, false, false});
+    }
+    if (const auto* c = std::get_if<SetPose>(&body)) {
+        give(c->characters, {"", true, false, true, false, false});
+    }
+    if (const auto* c = std::get_if<ChangeCharacters>(&body)) {
+        give(c->bodies.has_value(), {"Bodies", true, true, true, false, false});
+        give(c->driver.has_value(), {"", true, false, false, false, false});
+    }
+    return traits;
 }
 
 }  // namespace muster

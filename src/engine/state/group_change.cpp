@@ -1,0 +1,29 @@
+#include "engine/state/group_change.h"
+
+namespace muster {
+
+void setPlainFields(GroupDef& def, const ChangeGroup& change) {
+    if (change.conduct) def.conduct = *change.conduct;
+    if (change.roles) def.roles = *change.roles;
+    if (change.demands) def.demands = *change.demands;
+    if (change.name) def.name = *change.name;
+    if (change.colour) def.colour = change.colour->colour;
+    if (!change.look) return;
+    def.build = change.look->build;
+    def.motions = change.look->motions;
+}
+
+ChangeGroup wholeChange(GroupId group, const GroupDef& def) {
+    return {group,
+            def.formation,
+            def.count,
+            def.people,
+            def.conduct,
+            def.roles,
+            def.demands,
+            def.name,
+            GroupColour{def.colour},
+            GroupLook{def.build, def.motions}};
+}
+
+}  // namespace muster
