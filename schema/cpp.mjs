@@ -14,6 +14,7 @@ function cppType(field) {
 
 /** "0.0", "SplitBy::Ids"; empty where the type has a default of its own. */
 function initialOf(field) {
+  if (mayBeNone(field)) return '{}';  // So that compilers do not miss it where other fields are named.
   if (field.isList || field.isOptional) return '';
   if (enumerated(field.type)) return `${field.type}::${field.initial}`;
   const initial = plain(field.type)?.initial ?? '';
