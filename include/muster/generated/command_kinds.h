@@ -158,7 +158,7 @@ struct SetPose {
     template <class Archive>
     void visit(Archive& archive) {
         archive(group, position, angle);
-        archive.since(10, characters);
+        archive.optionalSince(10, characters);
     }
 };
 /// Adds a group.
