@@ -27,8 +27,10 @@ function typeOf({ flags }, field) {
 }
 
 /** "0.0", "SplitBy::Ids", "{}" for its first value; empty where the type has a default of its own. */
-function initialOf({ type, initial, isList, isOptional, length }) {
-  if (isOptional) return '';
+function initialOf(struct, field) {
+  const { type, initial, isList, isOptional, length } = field;
+  // Of commands programs name a few fields: compilers would miss those that may be none.
+  if (isOptional) return 'number' in struct && mayBeNone(field) ? '{}' : '';
   if (isEnumeration(type) && !isList) return initial === '' ? '{}' : `${type}::${initial}`;
   if (type === 'Box') return initial.replace(/,(?=\S)/g, ', ');
   if (type === 'f64' && /^-?\d+$/.test(initial)) return `${initial}.0`;
@@ -38,12 +40,12 @@ function initialOf({ type, initial, isList, isOptional, length }) {
 }
 
 /** A field as a member: {type, name, initial}. */
-export const memberOf = (struct, field) => ({ type: typeOf(struct, field), name: field.as || field.name, initial: initialOf(field) });
+export const memberOf = (struct, field) => ({ type: typeOf(struct, field), name: field.as || field.name, initial: initialOf(struct, field) });
 
 /** "double speed = 1.0;" and its comment. */
 function row(struct, field) {
   const { type, name, initial } = memberOf(struct, field);
-  const value = initial === '' || initial.startsWith('{') ? initial : ` = ${initial}`;
+  const value = initial === '' || (initial.startsWith('{') && !field.isOptional) ? initial : ` = ${initial}`;
   return { code: `${type} ${name}${value};`, about: withUnit(field) };
 }
 

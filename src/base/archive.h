@@ -54,6 +54,10 @@ public:
     void optionalSince(std::uint32_t /*version*/, std::optional<T>& value) {
         if (value || !forHash_) write(value);
     }
+    /// The same of a flag: false stands for none.
+    void optionalSince(std::uint32_t /*version*/, bool& value) {
+        if (value || !forHash_) write(value);
+    }
     /// The bytes so far.
     const std::vector<std::uint8_t>& bytes() const { return bytes_; }
     /// Moves the bytes out.
@@ -102,6 +106,7 @@ public:
     void optionalSince(std::uint32_t version, std::optional<T>& value) {
         if (version_ >= version) read(value);
     }
+    void optionalSince(std::uint32_t version, bool& value) { since(version, value); }  ///< The same of a flag.
     /// False after any error.
     bool ok() const { return ok_; }
     /// Reports an error: for types that find a value out of range.
@@ -154,6 +159,10 @@ public:
     /// same as without the value.
     template <class T>
     void optionalSince(std::uint32_t /*version*/, std::optional<T>& value) {
+        if (value) add(value);
+    }
+    /// The same of a flag: false stands for none.
+    void optionalSince(std::uint32_t /*version*/, bool& value) {
         if (value) add(value);
     }
     /// The hash so far.

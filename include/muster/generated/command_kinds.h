@@ -114,28 +114,30 @@ struct ReleaseClient {
 /// places, then the sorts of people, who joins or leaves, and all else. Where one of them cannot be, none is
 /// changed.
 struct ChangeGroup {
-    GroupId group;                                 ///< Group to change.
-    std::optional<FormationDef> formation;         ///< Its formation; none for the one that it has.
-    std::optional<std::int32_t> count;             ///< Its number of characters: new ones join behind the
-                                                   ///< mesh, those with the highest ids leave first; none for
-                                                   ///< the number that it has.
-    std::optional<std::vector<PeopleDef>> people;  ///< Its sorts of persons, empty where all are as
-                                                   ///< GroupDef::bodies say. Persons who join it are drawn by
-                                                   ///< them from now on. Its present members are drawn again,
-                                                   ///< as those who come at once: each number that neither
-                                                   ///< the sorts before nor these draw stays as it is. A
-                                                   ///< person who has heard an order sets out when it was to;
-                                                   ///< none for the sorts that it has.
-    std::optional<Conduct> conduct;                ///< How it behaves; none for as it does.
-    std::optional<std::vector<RoleDef>> roles;     ///< Which class stands where, in the order in which they
-                                                   ///< choose places; none for the roles that it has.
-    std::optional<std::vector<double>> demands;    ///< How many units of supply each place demands (SPEC A1),
-                                                   ///< 0 to 1000, of each place, or empty for 1 each; none
-                                                   ///< for the demands that these have.
-    std::optional<std::string> name;               ///< Its name, of at most 4,096 bytes; none for the one
-                                                   ///< that it has.
-    std::optional<GroupColour> colour;             ///< Its colour; none for the one that it has.
-    std::optional<GroupLook> look;                 ///< How its people look; none for as they do.
+    GroupId group;                                      ///< Group to change.
+    std::optional<FormationDef> formation = {};         ///< Its formation; none for the one that it has.
+    std::optional<std::int32_t> count = {};             ///< Its number of characters: new ones join behind
+                                                        ///< the mesh, those with the highest ids leave first;
+                                                        ///< none for the number that it has.
+    std::optional<std::vector<PeopleDef>> people = {};  ///< Its sorts of persons, empty where all are as
+                                                        ///< GroupDef::bodies say. Persons who join it are
+                                                        ///< drawn by them from now on. Its present members
+                                                        ///< are drawn again, as those who come at once: each
+                                                        ///< number that neither the sorts before nor these
+                                                        ///< draw stays as it is. A person who has heard an
+                                                        ///< order sets out when it was to; none for the sorts
+                                                        ///< that it has.
+    std::optional<Conduct> conduct = {};                ///< How it behaves; none for as it does.
+    std::optional<std::vector<RoleDef>> roles = {};     ///< Which class stands where, in the order in which
+                                                        ///< they choose places; none for the roles that it
+                                                        ///< has.
+    std::optional<std::vector<double>> demands = {};    ///< How many units of supply each place demands (SPEC
+                                                        ///< A1), 0 to 1000, of each place, or empty for 1
+                                                        ///< each; none for the demands that these have.
+    std::optional<std::string> name = {};               ///< Its name, of at most 4,096 bytes; none for the
+                                                        ///< one that it has.
+    std::optional<GroupColour> colour = {};             ///< Its colour; none for the one that it has.
+    std::optional<GroupLook> look = {};                 ///< How its people look; none for as they do.
 
     /// Lets an archive read or write the command.
     template <class Archive>
@@ -155,7 +157,7 @@ struct SetPose {
     template <class Archive>
     void visit(Archive& archive) {
         archive(group, position, angle);
-        archive.since(10, characters);
+        archive.optionalSince(10, characters);
     }
 };
 /// Adds a group.
@@ -182,16 +184,17 @@ struct RemoveGroup {
 /// what it is. An item that is collected stays so, and a checkpoint stays passed by the groups that have
 /// passed it.
 struct PutThing {
-    std::uint32_t id = 0;                              ///< Thing that gets another definition; 0 to add one.
-    std::optional<ObstacleDef> obstacle;               ///< An obstacle; none for other things.
-    std::optional<PatchDef> patch;                     ///< A patch; none for other things.
-    std::optional<ItemDef> item;                       ///< An item to collect; none for other things.
-    std::optional<FormationCheckpointDef> checkpoint;  ///< A formation checkpoint (SPEC M7), whose `group` is
-                                                       ///< not read; none for other things.
-    std::optional<AreaDef> area;                       ///< An area, whose `group` is not read; none for other
-                                                       ///< things.
-    GroupId group;                                     ///< Group that a checkpoint concerns, none for any, or
-                                                       ///< that people of a source join.
+    std::uint32_t id = 0;                                   ///< Thing that gets another definition; 0 to add
+                                                            ///< one.
+    std::optional<ObstacleDef> obstacle = {};               ///< An obstacle; none for other things.
+    std::optional<PatchDef> patch = {};                     ///< A patch; none for other things.
+    std::optional<ItemDef> item = {};                       ///< An item to collect; none for other things.
+    std::optional<FormationCheckpointDef> checkpoint = {};  ///< A formation checkpoint (SPEC M7), whose
+                                                            ///< `group` is not read; none for other things.
+    std::optional<AreaDef> area = {};                       ///< An area, whose `group` is not read; none for
+                                                            ///< other things.
+    GroupId group;                                          ///< Group that a checkpoint concerns, none for
+                                                            ///< any, or that people of a source join.
 
     /// Lets an archive read or write the command.
     template <class Archive>
@@ -304,10 +307,10 @@ struct MergeGroups {
 };
 /// Changes what characters are. What is not given stays as it is.
 struct ChangeCharacters {
-    std::vector<std::uint32_t> ids;           ///< Their ids.
-    std::optional<std::vector<Body>> bodies;  ///< Their bodies, one for each or one for all; none for those
-                                              ///< that they have.
-    std::optional<Driver> driver;             ///< What moves them; none for what moves them now.
+    std::vector<std::uint32_t> ids;                ///< Their ids.
+    std::optional<std::vector<Body>> bodies = {};  ///< Their bodies, one for each or one for all; none for
+                                                   ///< those that they have.
+    std::optional<Driver> driver = {};             ///< What moves them; none for what moves them now.
 
     /// Lets an archive read or write the command.
     template <class Archive>

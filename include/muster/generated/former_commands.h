@@ -271,8 +271,8 @@ struct NameGroup {
 };
 /// Gives a group another colour.
 struct ColourGroup {
-    GroupId group;                        ///< The group.
-    std::optional<std::uint32_t> colour;  ///< 0xRRGGBB; none for the palette's, by the group's id.
+    GroupId group;                             ///< The group.
+    std::optional<std::uint32_t> colour = {};  ///< 0xRRGGBB; none for the palette's, by the group's id.
 
     /// Lets an archive read or write the command.
     template <class Archive>
@@ -282,9 +282,10 @@ struct ColourGroup {
 };
 /// Gives the people of a group another appearance.
 struct SetAppearance {
-    GroupId group;                     ///< The group.
-    std::optional<BodyBuild> build;    ///< Build of its drawn bodies; none for both, by the character's id.
-    std::optional<MotionSet> motions;  ///< How it walks and jogs; none for the plain manner.
+    GroupId group;                          ///< The group.
+    std::optional<BodyBuild> build = {};    ///< Build of its drawn bodies; none for both, by the character's
+                                            ///< id.
+    std::optional<MotionSet> motions = {};  ///< How it walks and jogs; none for the plain manner.
 
     /// Lets an archive read or write the command.
     template <class Archive>

@@ -60,6 +60,14 @@ void encodeCommand(Writer& writer, const Command& command) {
     encodeBody(writer, command.body);
 }
 
+void encodeForHash(Writer& writer, const Command& command) {
+    const std::optional<FormerKinds> former = formerOf(command.body);
+    if (!former) return encodeCommand(writer, command);
+    std::uint8_t number = kFormerNumbers[former->index()];
+    writer(command.step, command.client, command.sequence, number);
+    std::visit([&](const auto& fields) { writer(fields); }, *former);
+}
+
 Result<Command> decodeCommand(Reader& reader) {
     Command command;
     reader(command.step, command.client, command.sequence);

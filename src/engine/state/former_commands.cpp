@@ -1,5 +1,5 @@
 // Commands by the names that they had, as those that say the same.
-#include "muster/command.h"
+#include "engine/state/command_archive.h"
 
 namespace muster {
 
@@ -84,6 +84,50 @@ CommandBody converted(const SetDriver& c) {
 }
 CommandBody converted(const PlaceGroup& c) {
     return SetPose{c.group, c.position, c.angle, true};
+}
+
+namespace {
+
+/// One function for each kind that stands for several former ones.
+struct Former {
+    std::optional<FormerKinds> operator()(const ChangeGroup& c) const {
+        const int given = int{c.formation.has_value()} + int{c.count.has_value()} +
+                          int{c.people.has_value()} + int{c.conduct.has_value()} + int{c.roles.has_value()} +
+                          int{c.demands.has_value()} + int{c.name.has_value()} + int{c.colour.has_value()} +
+                          int{c.look.has_value()};
+        if (given != 1) return std::nullopt;
+        if (c.formation) return SetFormation{c.group, *c.formation};
+        if (c.count) return SetCount{c.group, *c.count};
+        if (c.people) return SetPeople{c.group, *c.people};
+        if (c.conduct) return SetConduct{c.group, *c.conduct};
+        if (c.roles) return SetRoles{c.group, *c.roles};
+        if (c.demands) return SetDemands{c.group, *c.demands};
+        if (c.name) return NameGroup{c.group, *c.name};
+        if (c.colour) return ColourGroup{c.group, c.colour->colour};
+        return SetAppearance{c.group, c.look->build, c.look->motions};
+    }
+    std::optional<FormerKinds> operator()(const SetPose& c) const {
+        return c.characters ? std::optional<FormerKinds>(PlaceGroup{c.group, c.position, c.angle})
+                            : std::nullopt;
+    }
+    std::optional<FormerKinds> operator()(const TransferCharacters& c) const {
+        return c.group ? std::nullopt : std::optional<FormerKinds>(RemoveCharacters{c.ids});
+    }
+    std::optional<FormerKinds> operator()(const ChangeCharacters& c) const {
+        if (c.bodies.has_value() == c.driver.has_value()) return std::nullopt;
+        if (c.bodies) return SetBodies{c.ids, *c.bodies};
+        return SetDriver{c.ids, *c.driver};
+    }
+    template <class Other>
+    std::optional<FormerKinds> operator()(const Other&) const {
+        return std::nullopt;
+    }
+};
+
+}  // namespace
+
+std::optional<FormerKinds> formerOf(const CommandBody& body) {
+    return std::visit(Former{}, body);
 }
 
 }  // namespace muster

@@ -55,7 +55,7 @@ void archive(Reader& reader, std::vector<Command>& queue) {
 void archive(Hasher& hasher, std::vector<Command>& queue) {
     for (const Command& command : queue) {
         Writer writer(true);
-        encodeCommand(writer, command);
+        encodeForHash(writer, command);
         auto bytes = writer.take();
         hasher(bytes);
     }

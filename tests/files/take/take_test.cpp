@@ -203,7 +203,7 @@ TEST_CASE("other files are refused") {
     const std::vector<std::uint8_t> json{'{', '}', ' ', ' ', ' ', ' ', ' ', ' ', ' ', ' ', ' ', ' ', ' '};
     CHECK(parseTake(json, "T").status().code() == StatusCode::ParseError);
     auto bytes = recorded();
-    bytes[8] = 10;
+    bytes[8] = 11;
     CHECK(parseTake(bytes, "T").status().code() == StatusCode::Unsupported);
     auto longer = recorded();
     const auto starts = recordStarts(longer);

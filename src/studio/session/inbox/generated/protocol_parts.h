@@ -167,7 +167,7 @@ struct ControlFrame {
 struct ForecastAsk {
     std::uint32_t group = 0;
     std::uint32_t order = 0;  ///< Id of an order in its queue; 0: that of asked.
-    std::optional<Order> asked;  ///< None where it asks for an order of the queue.
+    std::optional<Order> asked = {};  ///< None where it asks for an order of the queue.
     bool placed = false;  ///< It would begin at x, y, facing; else where the formation is.
     double x = 0.0;  ///< [m].
     double y = 0.0;
@@ -200,7 +200,7 @@ struct ForecastFrame {
 /// A formation that a group might take up, and where, or places on the ground.
 struct PlacesAsk {
     std::uint32_t group = 0;
-    std::optional<FormationDef> formation;  ///< None: the places are given.
+    std::optional<FormationDef> formation = {};  ///< None: the places are given.
     double x = 0.0;  ///< Where the formation's centre would be [m].
     double y = 0.0;
     double facing = 0.0;  ///< [rad].
@@ -502,9 +502,9 @@ struct EventFrame {
 /// Numbers of a body for all present members of a group.
 struct GroupBodyEdit {
     std::uint32_t group = 0;
-    std::optional<double> radius;  ///< None to leave it as it is [m].
-    std::optional<double> maxSpeed;  ///< [m/s].
-    std::optional<std::uint8_t> unitClass;
+    std::optional<double> radius = {};  ///< None to leave it as it is [m].
+    std::optional<double> maxSpeed = {};  ///< [m/s].
+    std::optional<std::uint8_t> unitClass = {};
 
     /// Lets an archive read or write the fields.
     template <class Archive>
@@ -601,9 +601,9 @@ struct SceneArea {
 
 /// What all in a group have in common; none of a number in which they differ.
 struct GroupBody {
-    std::optional<double> radius;  ///< [m].
-    std::optional<double> maxSpeed;  ///< [m/s].
-    std::optional<std::uint8_t> unitClass;  ///< 0 for none.
+    std::optional<double> radius = {};  ///< [m].
+    std::optional<double> maxSpeed = {};  ///< [m/s].
+    std::optional<std::uint8_t> unitClass = {};  ///< 0 for none.
 
     /// Lets an archive read or write the fields.
     template <class Archive>
