@@ -23,6 +23,8 @@ const kPlain = {
 const kEnums = {
   ControlKind: { called: 'control kind', key: 'control' },
   QueueMode: { called: 'queue mode' },
+  TouchPhase: { called: 'phase' },
+  ControlEdit: { called: 'edit' },
   QueueEdit: { called: 'queue edit' },
   SplitBy: { called: 'way of splitting' },
   PartShape: { called: 'shape of parts' },

@@ -20,7 +20,7 @@ typedef struct MusterCommand {
 } MusterCommand;
 /// A command of that kind with the defaults of its body, for step 0. Of kind 0 where there is no such kind.
 MUSTER_API MusterCommand muster_default_command(MusterCommandKind kind);
-/// The kind as a word, for logs: "TouchDown". Null for other numbers.
+/// The kind as a word, for logs: "Touch". Null for other numbers.
 MUSTER_API const char* muster_command_name(MusterCommandKind kind);
 /// Checks what does not depend on the world. Fails with InvalidArgument, naming the value.
 MUSTER_API MusterStatus muster_command_validate(const MusterCommand* command);

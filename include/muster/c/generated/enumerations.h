@@ -180,6 +180,25 @@ enum MusterTurnValue {
                               ///< flows where the way narrows. In the open nothing arrives sooner.
 };
 
+/// What a finger or a pointer does.
+typedef uint8_t MusterTouchPhase;
+/// Values of MusterTouchPhase.
+enum MusterTouchPhaseValue {
+    MUSTER_TOUCH_DOWN = 0,   ///< It comes down.
+    MUSTER_TOUCH_MOVE = 1,   ///< It moves.
+    MUSTER_TOUCH_UP = 2,     ///< It lifts.
+    MUSTER_TOUCH_CANCEL = 3  ///< It is lost: its control ends at once.
+};
+
+/// Changes of a control.
+typedef uint8_t MusterControlEdit;
+/// Values of MusterControlEdit.
+enum MusterControlEditValue {
+    MUSTER_CONTROL_EDIT_PIN = 0,      ///< It stays at the end of its trajectory.
+    MUSTER_CONTROL_EDIT_RELEASE = 1,  ///< It is no longer pinned.
+    MUSTER_CONTROL_EDIT_REMOVE = 2    ///< It ends at once.
+};
+
 /// Where a new order stands in a queue.
 typedef uint8_t MusterQueueMode;
 /// Values of MusterQueueMode.
