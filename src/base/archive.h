@@ -106,7 +106,9 @@ public:
     void optionalSince(std::uint32_t version, std::optional<T>& value) {
         if (version_ >= version) read(value);
     }
-    void optionalSince(std::uint32_t version, bool& value) { since(version, value); }  ///< The same of a flag.
+    void optionalSince(std::uint32_t version, bool& value) {
+        since(version, value);
+    }  ///< The same of a flag.
     /// False after any error.
     bool ok() const { return ok_; }
     /// Reports an error: for types that find a value out of range.

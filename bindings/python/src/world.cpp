@@ -149,7 +149,8 @@ void defineWorld(py::module_& module) {
               "Fails with InvalidArgumentError, naming the faulty value, and as load_scenario() does.");
     world.def("submit", &WorldHandle::submit, py::arg("command"), py::kw_only(), py::arg("step") = py::none(),
               py::arg("client") = 0,
-              "Queues a command: its body, as muster.ChangeGroup(1, count=50), for a step (without one for the next), "
+              "Queues a command: its body, as muster.ChangeGroup(1, count=50), for a step (without one for "
+              "the next), "
               "or a Command with\n"
               "step, client and sequence of its own. Gives the Command. Fails with InvalidArgumentError "
               "where it is malformed or\n"

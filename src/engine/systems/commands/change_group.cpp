@@ -52,7 +52,7 @@ Status reshape(WorldState& state, Group& group, const ChangeGroup& change) {
     return {};
 }
 
-/// Draws all members anew: each number that neither the sorts before nor these draw stays as it is.
+/// Draws all members again: each number that neither the sorts before nor these draw stays as it is.
 void drawPeople(WorldState& state, Group& group, const std::vector<PeopleDef>& people) {
     Characters& c = state.characters;
     std::vector<std::uint32_t> ids;
