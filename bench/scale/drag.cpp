@@ -24,8 +24,8 @@ Status Drag::before(World& world) {
     for (std::uint32_t touch = 1; touch <= 2; ++touch) {
         const Vec2 finger = touch == 1 ? pose.position + flank : pose.position - flank;
         const bool down = step == kFirstStep;
-        const Status status = down ? give(world, TouchDown{touch, finger, time, group})
-                                   : give(world, TouchMove{touch, finger, time});
+        const Status status = down ? give(world, Touch{TouchPhase::Down, touch, finger, time, group})
+                                   : give(world, Touch{TouchPhase::Move, touch, finger, time, {}});
         if (!status.ok()) return status.within("drag");
     }
     return {};

@@ -18,7 +18,7 @@
 
 namespace muster {
 
-/// One of the structs that a command may hold, such as TouchDown.
+/// One of the structs that a command may hold, such as Touch.
 template <class Kind>
 concept CommandKind = !std::derived_from<std::remove_cvref_t<Kind>, CommandBody> &&
                       std::constructible_from<CommandKinds, Kind>;
@@ -51,7 +51,7 @@ std::optional<ThingKind> thingOf(const PutThing& put);
 /// destroying are compiled once in the library, since each of them takes one function for each kind.
 class CommandBody : public CommandKinds {
 public:
-    CommandBody() : CommandKinds(std::in_place_index<0>) {}  ///< A TouchDown.
+    CommandBody() : CommandKinds(std::in_place_index<0>) {}  ///< A Touch.
     /// Holds this kind.
     template <CommandKind Kind>
     CommandBody(Kind&& kind) : CommandKinds(std::forward<Kind>(kind)) {}
@@ -68,6 +68,10 @@ public:
     ~CommandBody();                                        ///< Destroys what it holds.
 };
 
+/// The command of a finger that does this; null for others.
+const Touch* touchOf(const CommandBody& body, TouchPhase phase);
+Touch* touchOf(CommandBody& body, TouchPhase phase);  ///< The same.
+
 /// A change of a world, with its step and sender. Commands apply in the order of (step, client, sequence).
 struct Command {
     std::uint32_t step = 0;      ///< It applies at the start of the step from `step` to `step + 1`.
@@ -81,7 +85,7 @@ std::vector<std::uint8_t> encodeCommand(const Command& command);
 /// Decodes a command. Fails with ParseError where there are too few or too many bytes, the kind is unknown or
 /// a value is out of its range.
 Result<Command> decodeCommand(std::span<const std::uint8_t> bytes);
-/// The kind as a word, for logs: "TouchDown".
+/// The kind as a word, for logs: "Touch".
 const char* commandName(const Command& command);
 /// Checks what does not depend on the world. Fails with InvalidArgument where a number is not finite or out
 /// of its range.

@@ -338,6 +338,25 @@ enum MusterTurnValue {
                               ///< flows where the way narrows. In the open nothing arrives sooner.
 };
 
+/// What a finger or a pointer does.
+typedef uint8_t MusterTouchPhase;
+/// Values of MusterTouchPhase.
+enum MusterTouchPhaseValue {
+    MUSTER_TOUCH_DOWN = 0,   ///< It comes down.
+    MUSTER_TOUCH_MOVE = 1,   ///< It moves.
+    MUSTER_TOUCH_UP = 2,     ///< It lifts.
+    MUSTER_TOUCH_CANCEL = 3  ///< It is lost: its control ends at once.
+};
+
+/// Changes of a control.
+typedef uint8_t MusterControlEdit;
+/// Values of MusterControlEdit.
+enum MusterControlEditValue {
+    MUSTER_CONTROL_EDIT_PIN = 0,      ///< It stays at the end of its trajectory.
+    MUSTER_CONTROL_EDIT_RELEASE = 1,  ///< It is no longer pinned.
+    MUSTER_CONTROL_EDIT_REMOVE = 2    ///< It ends at once.
+};
+
 /// Where a new order stands in a queue.
 typedef uint8_t MusterQueueMode;
 /// Values of MusterQueueMode.
@@ -938,31 +957,16 @@ MUSTER_API MusterStatus muster_preset_value(const char* preset, const char* name
 /* ==== commands ==================================================================================
  * The bodies of all kinds of commands, and the command itself: one struct for all kinds. */
 
-/// A finger touches down. It edits the group whose mesh is nearest within `input.reach`, or `group` if given.
-typedef struct MusterTouchDown {
-    uint32_t touch;       ///< Number of the finger, unique per client while it is down.
-    MusterVec2 position;  ///< Position in the world [m].
-    double time;          ///< World time stamp [s].
-    MusterGroupId group;  ///< Group to edit; 0 to pick it by position.
-} MusterTouchDown;
-
-/// A finger moves.
-typedef struct MusterTouchMove {
-    uint32_t touch;       ///< Number of the finger.
-    MusterVec2 position;  ///< Position in the world [m].
-    double time;          ///< World time stamp [s].
-} MusterTouchMove;
-
-/// A finger lifts; its trajectory is still followed.
-typedef struct MusterTouchUp {
-    uint32_t touch;  ///< Number of the finger.
-    double time;     ///< World time stamp [s].
-} MusterTouchUp;
-
-/// The control of a finger ends at once.
-typedef struct MusterTouchCancel {
-    uint32_t touch;  ///< Number of the finger.
-} MusterTouchCancel;
+/// A finger touches down, moves or lifts, or its control ends at once. One that comes down edits the group
+/// whose mesh is nearest within `input.reach`, or `group` if given; when it has lifted, its trajectory is
+/// still followed.
+typedef struct MusterTouch {
+    MusterTouchPhase phase;  ///< What it does.
+    uint32_t touch;          ///< Number of the finger, unique per client while it is down.
+    MusterVec2 position;     ///< For Down and Move: position in the world [m].
+    double time;             ///< World time stamp [s]; not read for Cancel.
+    MusterGroupId group;     ///< For Down: group to edit; 0 to pick it by position.
+} MusterTouch;
 
 /// Makes a control of all its points at once, for mouse and programs. Its points are then moved and lifted
 /// like touches.
@@ -976,18 +980,12 @@ typedef struct MusterAddControl {
     double time;                  ///< World time stamp [s].
 } MusterAddControl;
 
-/// Pins a control at the end of its trajectory, or releases it.
-typedef struct MusterPinControl {
+/// Pins a control at the end of its trajectory, releases it, or ends it at once.
+typedef struct MusterEditControl {
     MusterGroupId group;      ///< Group that the control belongs to.
     MusterControlId control;  ///< Its id.
-    bool pinned;              ///< False to release it.
-} MusterPinControl;
-
-/// Ends a control at once.
-typedef struct MusterRemoveControl {
-    MusterGroupId group;      ///< Group that the control belongs to.
-    MusterControlId control;  ///< Its id.
-} MusterRemoveControl;
+    MusterControlEdit edit;   ///< What is done to it.
+} MusterEditControl;
 
 /// A client has disconnected: all its fingers lift.
 typedef struct MusterReleaseClient {
@@ -1157,42 +1155,34 @@ typedef struct MusterReverseQueue {
 typedef int32_t MusterCommandKind;
 /// Values of MusterCommandKind.
 enum MusterCommandKindValue {
-    MUSTER_COMMAND_TOUCH_DOWN = 0,            ///< Its body is `touchDown`.
-    MUSTER_COMMAND_TOUCH_MOVE = 1,            ///< Its body is `touchMove`.
-    MUSTER_COMMAND_TOUCH_UP = 2,              ///< Its body is `touchUp`.
-    MUSTER_COMMAND_TOUCH_CANCEL = 3,          ///< Its body is `touchCancel`.
-    MUSTER_COMMAND_ADD_CONTROL = 4,           ///< Its body is `addControl`.
-    MUSTER_COMMAND_PIN_CONTROL = 5,           ///< Its body is `pinControl`.
-    MUSTER_COMMAND_REMOVE_CONTROL = 6,        ///< Its body is `removeControl`.
-    MUSTER_COMMAND_RELEASE_CLIENT = 7,        ///< Its body is `releaseClient`.
-    MUSTER_COMMAND_CHANGE_GROUP = 8,          ///< Its body is `changeGroup`.
-    MUSTER_COMMAND_SET_POSE = 9,              ///< Its body is `setPose`.
-    MUSTER_COMMAND_ADD_GROUP = 10,            ///< Its body is `addGroup`.
-    MUSTER_COMMAND_REMOVE_GROUP = 11,         ///< Its body is `removeGroup`.
-    MUSTER_COMMAND_PUT_THING = 12,            ///< Its body is `putThing`.
-    MUSTER_COMMAND_REMOVE_THING = 13,         ///< Its body is `removeThing`.
-    MUSTER_COMMAND_SET_PARAMETER = 14,        ///< Its body is `setParameter`.
-    MUSTER_COMMAND_GIVE_ORDER = 15,           ///< Its body is `giveOrder`.
-    MUSTER_COMMAND_EDIT_QUEUE = 16,           ///< Its body is `editQueue`.
-    MUSTER_COMMAND_ADD_CHARACTERS = 17,       ///< Its body is `addCharacters`.
-    MUSTER_COMMAND_TRANSFER_CHARACTERS = 18,  ///< Its body is `transferCharacters`.
-    MUSTER_COMMAND_SPLIT_GROUP = 19,          ///< Its body is `splitGroup`.
-    MUSTER_COMMAND_MERGE_GROUPS = 20,         ///< Its body is `mergeGroups`.
-    MUSTER_COMMAND_CHANGE_CHARACTERS = 21,    ///< Its body is `changeCharacters`.
-    MUSTER_COMMAND_WRITE_MOTION = 22,         ///< Its body is `writeMotion`.
-    MUSTER_COMMAND_REVERSE_QUEUE = 23,        ///< Its body is `reverseQueue`.
-    MUSTER_COMMAND_COUNT = 24                 ///< Number of kinds.
+    MUSTER_COMMAND_TOUCH = 0,                 ///< Its body is `touch`.
+    MUSTER_COMMAND_ADD_CONTROL = 1,           ///< Its body is `addControl`.
+    MUSTER_COMMAND_EDIT_CONTROL = 2,          ///< Its body is `editControl`.
+    MUSTER_COMMAND_RELEASE_CLIENT = 3,        ///< Its body is `releaseClient`.
+    MUSTER_COMMAND_CHANGE_GROUP = 4,          ///< Its body is `changeGroup`.
+    MUSTER_COMMAND_SET_POSE = 5,              ///< Its body is `setPose`.
+    MUSTER_COMMAND_ADD_GROUP = 6,             ///< Its body is `addGroup`.
+    MUSTER_COMMAND_REMOVE_GROUP = 7,          ///< Its body is `removeGroup`.
+    MUSTER_COMMAND_PUT_THING = 8,             ///< Its body is `putThing`.
+    MUSTER_COMMAND_REMOVE_THING = 9,          ///< Its body is `removeThing`.
+    MUSTER_COMMAND_SET_PARAMETER = 10,        ///< Its body is `setParameter`.
+    MUSTER_COMMAND_GIVE_ORDER = 11,           ///< Its body is `giveOrder`.
+    MUSTER_COMMAND_EDIT_QUEUE = 12,           ///< Its body is `editQueue`.
+    MUSTER_COMMAND_ADD_CHARACTERS = 13,       ///< Its body is `addCharacters`.
+    MUSTER_COMMAND_TRANSFER_CHARACTERS = 14,  ///< Its body is `transferCharacters`.
+    MUSTER_COMMAND_SPLIT_GROUP = 15,          ///< Its body is `splitGroup`.
+    MUSTER_COMMAND_MERGE_GROUPS = 16,         ///< Its body is `mergeGroups`.
+    MUSTER_COMMAND_CHANGE_CHARACTERS = 17,    ///< Its body is `changeCharacters`.
+    MUSTER_COMMAND_WRITE_MOTION = 18,         ///< Its body is `writeMotion`.
+    MUSTER_COMMAND_REVERSE_QUEUE = 19,        ///< Its body is `reverseQueue`.
+    MUSTER_COMMAND_COUNT = 20                 ///< Number of kinds.
 };
 
 /// What a command of each kind says. Only the member of the command's kind is read.
 typedef union MusterCommandBody {
-    MusterTouchDown touchDown;                    ///< For MUSTER_COMMAND_TOUCH_DOWN.
-    MusterTouchMove touchMove;                    ///< For MUSTER_COMMAND_TOUCH_MOVE.
-    MusterTouchUp touchUp;                        ///< For MUSTER_COMMAND_TOUCH_UP.
-    MusterTouchCancel touchCancel;                ///< For MUSTER_COMMAND_TOUCH_CANCEL.
+    MusterTouch touch;                            ///< For MUSTER_COMMAND_TOUCH.
     MusterAddControl addControl;                  ///< For MUSTER_COMMAND_ADD_CONTROL.
-    MusterPinControl pinControl;                  ///< For MUSTER_COMMAND_PIN_CONTROL.
-    MusterRemoveControl removeControl;            ///< For MUSTER_COMMAND_REMOVE_CONTROL.
+    MusterEditControl editControl;                ///< For MUSTER_COMMAND_EDIT_CONTROL.
     MusterReleaseClient releaseClient;            ///< For MUSTER_COMMAND_RELEASE_CLIENT.
     MusterChangeGroup changeGroup;                ///< For MUSTER_COMMAND_CHANGE_GROUP.
     MusterSetPose setPose;                        ///< For MUSTER_COMMAND_SET_POSE.
@@ -1223,7 +1213,7 @@ typedef struct MusterCommand {
 } MusterCommand;
 /// A command of that kind with the defaults of its body, for step 0. Of kind 0 where there is no such kind.
 MUSTER_API MusterCommand muster_default_command(MusterCommandKind kind);
-/// The kind as a word, for logs: "TouchDown". Null for other numbers.
+/// The kind as a word, for logs: "Touch". Null for other numbers.
 MUSTER_API const char* muster_command_name(MusterCommandKind kind);
 /// Checks what does not depend on the world. Fails with InvalidArgument, naming the value.
 MUSTER_API MusterStatus muster_command_validate(const MusterCommand* command);

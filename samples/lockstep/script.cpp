@@ -175,18 +175,18 @@ void Script::beginDrag(const World& world, const GroupView& group, Commands& com
     finger_ = group.finalMesh[random_.below(static_cast<std::uint32_t>(group.finalMesh.size()))];
     fingerVelocity_ = Vec2{random_.between(-4.0, 4.0), random_.between(-4.0, 4.0)};
     dragSteps_ = 20 + random_.below(70);
-    commands.push_back(muster::TouchDown{++touch_, finger_, world.time(), group.id});
+    commands.push_back(muster::Touch{muster::TouchPhase::Down, ++touch_, finger_, world.time(), group.id});
 }
 
 void Script::drag(const World& world, Commands& commands) {
     if (--dragSteps_ == 0) {
-        commands.push_back(muster::TouchUp{touch_, world.time()});
+        commands.push_back(muster::Touch{muster::TouchPhase::Up, touch_, {}, world.time(), {}});
         return;
     }
     fingerVelocity_ += 0.02 * muster::perpendicular(fingerVelocity_);
     finger_ += kStepTime * fingerVelocity_;
     finger_ = {std::clamp(finger_.x, -30.0, 30.0), std::clamp(finger_.y, -22.0, 22.0)};
-    commands.push_back(muster::TouchMove{touch_, finger_, world.time()});
+    commands.push_back(muster::Touch{muster::TouchPhase::Move, touch_, finger_, world.time(), {}});
 }
 
 }  // namespace lockstep

@@ -74,9 +74,10 @@ int main() {
     muster::World onTime = makeWorld();
     RollbackWorld late(makeWorld());
     const muster::Vec2 start = onTime.group(0).finalMesh.front();
-    const muster::Command down{10, 1, 0, muster::TouchDown{1, start, 10.0 / 60.0, {}}};
+    const muster::Command down{10, 1, 0, muster::Touch{muster::TouchPhase::Down, 1, start, 10.0 / 60.0, {}}};
     const muster::Command move{40, 2, 0, muster::SetParameter{"character.maxSpeed", 1.5}};
-    const muster::Command up{60, 1, 1, muster::TouchMove{1, start + muster::Vec2{5.0, 0.0}, 1.0}};
+    const muster::Command up{
+        60, 1, 1, muster::Touch{muster::TouchPhase::Move, 1, start + muster::Vec2{5.0, 0.0}, 1.0, {}}};
 
     // One world gets all commands in time, the other gets one of them half a second late.
     bool accepted = onTime.submit(down).ok() && onTime.submit(move).ok() && onTime.submit(up).ok();

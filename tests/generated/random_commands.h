@@ -11,7 +11,8 @@ namespace muster {
 inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
     switch (kind) {
         case 0: {
-            TouchDown c;
+            Touch c;
+            c.phase = draw.value<TouchPhase>();
             c.touch = draw.number();
             c.position = draw.place();
             c.time = draw.real(0, 1e9);
@@ -20,27 +21,6 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             return c;
         }
         case 1: {
-            TouchMove c;
-            c.touch = draw.number();
-            c.position = draw.place();
-            c.time = draw.real(0, 1e9);
-            draw.relate(c);
-            return c;
-        }
-        case 2: {
-            TouchUp c;
-            c.touch = draw.number();
-            c.time = draw.real(0, 1e9);
-            draw.relate(c);
-            return c;
-        }
-        case 3: {
-            TouchCancel c;
-            c.touch = draw.number();
-            draw.relate(c);
-            return c;
-        }
-        case 4: {
             AddControl c;
             c.group = GroupId{draw.number()};
             c.kind = draw.value<ControlKind>();
@@ -50,28 +30,21 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             draw.relate(c);
             return c;
         }
-        case 5: {
-            PinControl c;
+        case 2: {
+            EditControl c;
             c.group = GroupId{draw.number()};
             c.control = ControlId{draw.number()};
-            c.pinned = draw.flag();
+            c.edit = draw.value<ControlEdit>();
             draw.relate(c);
             return c;
         }
-        case 6: {
-            RemoveControl c;
-            c.group = GroupId{draw.number()};
-            c.control = ControlId{draw.number()};
-            draw.relate(c);
-            return c;
-        }
-        case 7: {
+        case 3: {
             ReleaseClient c;
             c.unused = std::uint8_t{0};
             draw.relate(c);
             return c;
         }
-        case 8: {
+        case 4: {
             ChangeGroup c;
             c.group = GroupId{draw.number()};
             if (draw.flag()) c.formation = randomFormationDef(draw);
@@ -86,7 +59,7 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             draw.relate(c);
             return c;
         }
-        case 9: {
+        case 5: {
             SetPose c;
             c.group = GroupId{draw.number()};
             c.position = draw.place();
@@ -95,19 +68,19 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             draw.relate(c);
             return c;
         }
-        case 10: {
+        case 6: {
             AddGroup c;
             c.group = randomGroupDef(draw);
             draw.relate(c);
             return c;
         }
-        case 11: {
+        case 7: {
             RemoveGroup c;
             c.group = GroupId{draw.number()};
             draw.relate(c);
             return c;
         }
-        case 12: {
+        case 8: {
             PutThing c;
             c.id = draw.number();
             if (draw.flag()) c.obstacle = randomObstacleDef(draw);
@@ -119,21 +92,21 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             draw.relate(c);
             return c;
         }
-        case 13: {
+        case 9: {
             RemoveThing c;
             c.thing = draw.value<ThingKind>();
             c.id = draw.number();
             draw.relate(c);
             return c;
         }
-        case 14: {
+        case 10: {
             SetParameter c;
             c.name = draw.text();
             c.value = draw.real(-1e9, 1e9);
             draw.relate(c);
             return c;
         }
-        case 15: {
+        case 11: {
             GiveOrder c;
             c.group = GroupId{draw.number()};
             c.mode = draw.value<QueueMode>();
@@ -142,7 +115,7 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             draw.relate(c);
             return c;
         }
-        case 16: {
+        case 12: {
             EditQueue c;
             c.group = GroupId{draw.number()};
             c.edit = draw.value<QueueEdit>();
@@ -150,7 +123,7 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             draw.relate(c);
             return c;
         }
-        case 17: {
+        case 13: {
             AddCharacters c;
             c.group = GroupId{draw.number()};
             draw.list(c.positions, [&] { return draw.place(); });
@@ -158,14 +131,14 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             draw.relate(c);
             return c;
         }
-        case 18: {
+        case 14: {
             TransferCharacters c;
             c.ids = draw.ids();
             if (draw.flag()) c.group = GroupId{draw.number()};
             draw.relate(c);
             return c;
         }
-        case 19: {
+        case 15: {
             SplitGroup c;
             c.group = GroupId{draw.number()};
             c.by = draw.value<SplitBy>();
@@ -177,14 +150,14 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             draw.relate(c);
             return c;
         }
-        case 20: {
+        case 16: {
             MergeGroups c;
             draw.list(c.groups, [&] { return GroupId{draw.number()}; });
             c.shape = draw.value<PartShape>();
             draw.relate(c);
             return c;
         }
-        case 21: {
+        case 17: {
             ChangeCharacters c;
             c.ids = draw.ids();
             if (draw.flag()) draw.list(c.bodies.emplace(), [&] { return randomBody(draw); });
@@ -192,7 +165,7 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             draw.relate(c);
             return c;
         }
-        case 22: {
+        case 18: {
             WriteMotion c;
             c.ids = draw.ids();
             draw.list(c.positions, [&] { return draw.place(); });
@@ -200,7 +173,7 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             draw.relate(c);
             return c;
         }
-        case 23: {
+        case 19: {
             ReverseQueue c;
             c.group = GroupId{draw.number()};
             draw.relate(c);

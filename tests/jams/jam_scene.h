@@ -68,14 +68,16 @@ inline std::vector<Command> drawnBy(const WallPlan& plan, double half, double st
                         lerp(plan.crowd, plan.goal, static_cast<double>(move) / kMoves) + corners[finger]);
     };
     for (int f = 0; f < 4; ++f)
-        give(0.5 + 0.02 * f, TouchDown{static_cast<std::uint32_t>(f + 1), at(f, 0), 0.5 + 0.02 * f, {}});
+        give(0.5 + 0.02 * f,
+             Touch{TouchPhase::Down, static_cast<std::uint32_t>(f + 1), at(f, 0), 0.5 + 0.02 * f, {}});
     for (int move = 1; move <= kMoves; ++move)
         for (int f = 0; f < 4; ++f) {
             const double time = 0.6 + 0.075 * move + 0.001 * f;
-            give(time, TouchMove{static_cast<std::uint32_t>(f + 1), at(f, move), time});
+            give(time, Touch{TouchPhase::Move, static_cast<std::uint32_t>(f + 1), at(f, move), time, {}});
         }
     for (int f = 0; f < 4; ++f)
-        give(3.8 + 0.001 * f, TouchUp{static_cast<std::uint32_t>(f + 1), 3.8 + 0.001 * f});
+        give(3.8 + 0.001 * f,
+             Touch{TouchPhase::Up, static_cast<std::uint32_t>(f + 1), {}, 3.8 + 0.001 * f, {}});
     return commands;
 }
 

@@ -69,12 +69,12 @@ Json jsonOf(const HttpAnswer& answer) {
 
 /// Drags a corner of the formation while half a second passes.
 void drag(PageEngine& engine, FakeClient& client) {
-    client.touchAt(protocol::TouchPhase::Down, {0.2, 0.0}, 1.0);
+    client.touchAt(TouchPhase::Down, {0.2, 0.0}, 1.0);
     for (int i = 1; i <= 30; ++i) {
-        client.touchAt(protocol::TouchPhase::Move, {0.2 + 0.1 * i, 0.05 * i}, 1.0 + kLook * i);
+        client.touchAt(TouchPhase::Move, {0.2 + 0.1 * i, 0.05 * i}, 1.0 + kLook * i);
         pass(engine, kLook, client);
     }
-    client.touchAt(protocol::TouchPhase::Up, {3.2, 1.5}, 1.6);
+    client.touchAt(TouchPhase::Up, {3.2, 1.5}, 1.6);
     pass(engine, 1.0, client);
 }
 

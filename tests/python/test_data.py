@@ -103,6 +103,8 @@ def test_a_former_command_is_the_one_that_says_the_same() -> None:
     assert sent(muster.AddObstacle(obstacle)) == muster.PutThing(obstacle=obstacle)
     assert sent(muster.ChangeObstacle(7, obstacle)) == muster.PutThing(7, obstacle=obstacle)
     assert sent(muster.RemoveArea(4)) == muster.RemoveThing(muster.ThingKind.AREA, 4)
+    assert sent(muster.TouchMove(3, (1.0, 2.0), 0.5)) == muster.Touch("move", 3, (1.0, 2.0), 0.5)
+    assert sent(muster.PinControl(3, 4, False)) == muster.EditControl(3, 4, muster.ControlEdit.RELEASE)
     assert sent(muster.SetCount(3, 7)) == muster.ChangeGroup(3, count=7)
     assert sent(muster.SetRoles(3, [])) == muster.ChangeGroup(3, roles=[])
     assert sent(muster.ColourGroup(3)) == muster.ChangeGroup(3, colour=muster.GroupColour())
@@ -173,7 +175,7 @@ def test_names_that_are_not_there_are_refused() -> None:
     with pytest.raises(muster.InvalidArgumentError, match="command: found 3, expected a command"):
         world.submit(3)  # type: ignore[arg-type]
     with pytest.raises(muster.InvalidArgumentError, match="position"):
-        world.submit(muster.TouchDown(1, (math.inf, 0.0)))
+        world.submit(muster.Touch("down", 1, (math.inf, 0.0)))
     with pytest.raises(TypeError, match="definition: found int"):
         muster.World(3)  # type: ignore[arg-type]
 

@@ -24,7 +24,7 @@ Datagram busyDatagram() {
     datagram.inputs.resize(5);
     const muster::Vec2 corner{-1.5, 2.0};
     datagram.inputs[1] = {
-        Command{1233, kPlayer, 7, muster::TouchDown{1, corner, 20.5, {2}}},
+        Command{1233, kPlayer, 7, muster::Touch{muster::TouchPhase::Down, 1, corner, 20.5, {2}}},
         Command{1233, kPlayer, 8, muster::GiveOrder{{2}, {}, 0, muster::Order::go(corner)}}};
     datagram.inputs[4] = {Command{1236, kPlayer, 9, muster::TransferCharacters{{3, 5, 8}, {}}}};
     return datagram;
@@ -56,7 +56,7 @@ TEST_CASE("a datagram comes back as it was written") {
     CHECK(read->firstInput == sent.firstInput);
     REQUIRE(read->inputs.size() == 5);
     REQUIRE(read->inputs[1].size() == 2);
-    CHECK(std::get<muster::TouchDown>(read->inputs[1][0].body).position == muster::Vec2{-1.5, 2.0});
+    CHECK(std::get<muster::Touch>(read->inputs[1][0].body).position == muster::Vec2{-1.5, 2.0});
     CHECK(read->inputs[1][1].sequence == 8);
     CHECK(std::get<muster::TransferCharacters>(read->inputs[4][0].body).ids ==
           std::vector<std::uint32_t>{3, 5, 8});

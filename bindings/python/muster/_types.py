@@ -47,11 +47,13 @@ __all__ = [
     "Conduct",
     "ContactReport",
     "Control",
+    "ControlEdit",
     "ControlKind",
     "ControlPoint",
     "DepartureFigures",
     "Distribution",
     "Driver",
+    "EditControl",
     "EditQueue",
     "Event",
     "EventKind",
@@ -126,9 +128,11 @@ __all__ = [
     "TakeEvent",
     "ThingKind",
     "TimedPath",
+    "Touch",
     "TouchCancel",
     "TouchDown",
     "TouchMove",
+    "TouchPhase",
     "TouchUp",
     "TransferCharacters",
     "Turn",
@@ -395,6 +399,34 @@ class Turn(str, Enum):
     REVERSE = "reverse"
     KEEP = "keep"
     FLOW = "flow"
+
+
+class TouchPhase(str, Enum):
+    """What a finger or a pointer does.
+
+    DOWN: It comes down.
+    MOVE: It moves.
+    UP: It lifts.
+    CANCEL: It is lost: its control ends at once.
+    """
+
+    DOWN = "down"
+    MOVE = "move"
+    UP = "up"
+    CANCEL = "cancel"
+
+
+class ControlEdit(str, Enum):
+    """Changes of a control.
+
+    PIN: It stays at the end of its trajectory.
+    RELEASE: It is no longer pinned.
+    REMOVE: It ends at once.
+    """
+
+    PIN = "pin"
+    RELEASE = "release"
+    REMOVE = "remove"
 
 
 class QueueMode(str, Enum):
@@ -1136,59 +1168,24 @@ class WorldDef:
 
 
 @dataclass(slots=True)
-class TouchDown:
-    """A finger touches down. It edits the group whose mesh is nearest within `input.reach`, or `group` if given.
+class Touch:
+    """A finger touches down, moves or lifts, or its control ends at once. One that comes down edits the group whose
+        mesh is nearest within `input.reach`, or `group` if given; when it has lifted, its trajectory is still
+        followed.
 
     Attributes:
+        phase: What it does.
         touch: Number of the finger, unique per client while it is down.
-        position: Position in the world [m].
-        time: World time stamp [s].
-        group: Group to edit; none to pick it by position.
+        position: For Down and Move: position in the world [m].
+        time: World time stamp [s]; not read for Cancel.
+        group: For Down: group to edit; none to pick it by position.
     """
 
+    phase: TouchPhase = TouchPhase.DOWN
     touch: int = 0
     position: Vec2 = (0.0, 0.0)
     time: float = 0.0
     group: int = 0
-
-
-@dataclass(slots=True)
-class TouchMove:
-    """A finger moves.
-
-    Attributes:
-        touch: Number of the finger.
-        position: Position in the world [m].
-        time: World time stamp [s].
-    """
-
-    touch: int = 0
-    position: Vec2 = (0.0, 0.0)
-    time: float = 0.0
-
-
-@dataclass(slots=True)
-class TouchUp:
-    """A finger lifts; its trajectory is still followed.
-
-    Attributes:
-        touch: Number of the finger.
-        time: World time stamp [s].
-    """
-
-    touch: int = 0
-    time: float = 0.0
-
-
-@dataclass(slots=True)
-class TouchCancel:
-    """The control of a finger ends at once.
-
-    Attributes:
-        touch: Number of the finger.
-    """
-
-    touch: int = 0
 
 
 @dataclass(slots=True)
@@ -1212,31 +1209,18 @@ class AddControl:
 
 
 @dataclass(slots=True)
-class PinControl:
-    """Pins a control at the end of its trajectory, or releases it.
+class EditControl:
+    """Pins a control at the end of its trajectory, releases it, or ends it at once.
 
     Attributes:
         group: Group that the control belongs to.
         control: Its id.
-        pinned: False to release it.
+        edit: What is done to it.
     """
 
     group: int = 0
     control: int = 0
-    pinned: bool = True
-
-
-@dataclass(slots=True)
-class RemoveControl:
-    """Ends a control at once.
-
-    Attributes:
-        group: Group that the control belongs to.
-        control: Its id.
-    """
-
-    group: int = 0
-    control: int = 0
+    edit: ControlEdit = ControlEdit.PIN
 
 
 @dataclass(slots=True)
@@ -1859,6 +1843,90 @@ class SetPeople:
 
 
 @dataclass(slots=True)
+class TouchDown:
+    """A finger touches down. It edits the group whose mesh is nearest within `input.reach`, or `group` if given.
+
+    Attributes:
+        touch: Number of the finger, unique per client while it is down.
+        position: Position in the world [m].
+        time: World time stamp [s].
+        group: Group to edit; none to pick it by position.
+    """
+
+    touch: int = 0
+    position: Vec2 = (0.0, 0.0)
+    time: float = 0.0
+    group: int = 0
+
+
+@dataclass(slots=True)
+class TouchMove:
+    """A finger moves.
+
+    Attributes:
+        touch: Number of the finger.
+        position: Position in the world [m].
+        time: World time stamp [s].
+    """
+
+    touch: int = 0
+    position: Vec2 = (0.0, 0.0)
+    time: float = 0.0
+
+
+@dataclass(slots=True)
+class TouchUp:
+    """A finger lifts; its trajectory is still followed.
+
+    Attributes:
+        touch: Number of the finger.
+        time: World time stamp [s].
+    """
+
+    touch: int = 0
+    time: float = 0.0
+
+
+@dataclass(slots=True)
+class TouchCancel:
+    """The control of a finger ends at once.
+
+    Attributes:
+        touch: Number of the finger.
+    """
+
+    touch: int = 0
+
+
+@dataclass(slots=True)
+class PinControl:
+    """Pins a control at the end of its trajectory, or releases it.
+
+    Attributes:
+        group: Group that the control belongs to.
+        control: Its id.
+        pinned: False to release it.
+    """
+
+    group: int = 0
+    control: int = 0
+    pinned: bool = True
+
+
+@dataclass(slots=True)
+class RemoveControl:
+    """Ends a control at once.
+
+    Attributes:
+        group: Group that the control belongs to.
+        control: Its id.
+    """
+
+    group: int = 0
+    control: int = 0
+
+
+@dataclass(slots=True)
 class OrderForecast:
     """What would come of an order.
 
@@ -1876,13 +1944,9 @@ class OrderForecast:
 
 
 CommandBody = Union[
-    TouchDown,
-    TouchMove,
-    TouchUp,
-    TouchCancel,
+    Touch,
     AddControl,
-    PinControl,
-    RemoveControl,
+    EditControl,
     ReleaseClient,
     ChangeGroup,
     SetPose,
@@ -1927,6 +1991,12 @@ CommandBody = Union[
     ColourGroup,
     SetAppearance,
     SetPeople,
+    TouchDown,
+    TouchMove,
+    TouchUp,
+    TouchCancel,
+    PinControl,
+    RemoveControl,
 ]
 
 

@@ -196,7 +196,7 @@ void FromPython::read(py::handle from, CommandBody& into) {
     const CommandKinds* const kinds = nullptr;
     const FormerKinds* const formerKinds = nullptr;
     if (!readAnyOf(from, into, kinds) && !readAnyOf(from, into, formerKinds))
-        fail(from, "a command, as muster.TouchDown or muster.GiveOrder");
+        fail(from, "a command, as muster.Touch or muster.GiveOrder");
 }
 
 std::int32_t threadsFrom(py::handle from) {

@@ -16,50 +16,20 @@
 
 namespace muster {
 
-/// A finger touches down. It edits the group whose mesh is nearest within `input.reach`, or `group` if given.
-struct TouchDown {
-    std::uint32_t touch = 0;  ///< Number of the finger, unique per client while it is down.
-    Vec2 position;            ///< Position in the world [m].
-    double time = 0.0;        ///< World time stamp [s].
-    GroupId group;            ///< Group to edit; none to pick it by position.
+/// A finger touches down, moves or lifts, or its control ends at once. One that comes down edits the group
+/// whose mesh is nearest within `input.reach`, or `group` if given; when it has lifted, its trajectory is
+/// still followed.
+struct Touch {
+    TouchPhase phase = TouchPhase::Down;  ///< What it does.
+    std::uint32_t touch = 0;              ///< Number of the finger, unique per client while it is down.
+    Vec2 position;                        ///< For Down and Move: position in the world [m].
+    double time = 0.0;                    ///< World time stamp [s]; not read for Cancel.
+    GroupId group;                        ///< For Down: group to edit; none to pick it by position.
 
     /// Lets an archive read or write the command.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(touch, position, time, group);
-    }
-};
-/// A finger moves.
-struct TouchMove {
-    std::uint32_t touch = 0;  ///< Number of the finger.
-    Vec2 position;            ///< Position in the world [m].
-    double time = 0.0;        ///< World time stamp [s].
-
-    /// Lets an archive read or write the command.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(touch, position, time);
-    }
-};
-/// A finger lifts; its trajectory is still followed.
-struct TouchUp {
-    std::uint32_t touch = 0;  ///< Number of the finger.
-    double time = 0.0;        ///< World time stamp [s].
-
-    /// Lets an archive read or write the command.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(touch, time);
-    }
-};
-/// The control of a finger ends at once.
-struct TouchCancel {
-    std::uint32_t touch = 0;  ///< Number of the finger.
-
-    /// Lets an archive read or write the command.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(touch);
+        archive(phase, touch, position, time, group);
     }
 };
 /// Makes a control of all its points at once, for mouse and programs. Its points are then moved and lifted
@@ -77,27 +47,16 @@ struct AddControl {
         archive(group, kind, touches, positions, time);
     }
 };
-/// Pins a control at the end of its trajectory, or releases it.
-struct PinControl {
-    GroupId group;       ///< Group that the control belongs to.
-    ControlId control;   ///< Its id.
-    bool pinned = true;  ///< False to release it.
+/// Pins a control at the end of its trajectory, releases it, or ends it at once.
+struct EditControl {
+    GroupId group;                        ///< Group that the control belongs to.
+    ControlId control;                    ///< Its id.
+    ControlEdit edit = ControlEdit::Pin;  ///< What is done to it.
 
     /// Lets an archive read or write the command.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(group, control, pinned);
-    }
-};
-/// Ends a control at once.
-struct RemoveControl {
-    GroupId group;      ///< Group that the control belongs to.
-    ControlId control;  ///< Its id.
-
-    /// Lets an archive read or write the command.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(group, control);
+        archive(group, control, edit);
     }
 };
 /// A client has disconnected: all its fingers lift.
@@ -345,9 +304,9 @@ struct ReverseQueue {
 /// Every kind of change.
 // clang-format off
 using CommandKinds = std::variant<
-    TouchDown, TouchMove, TouchUp, TouchCancel, AddControl, PinControl, RemoveControl, ReleaseClient,
-    ChangeGroup, SetPose, AddGroup, RemoveGroup, PutThing, RemoveThing, SetParameter, GiveOrder, EditQueue,
-    AddCharacters, TransferCharacters, SplitGroup, MergeGroups, ChangeCharacters, WriteMotion, ReverseQueue>;
+    Touch, AddControl, EditControl, ReleaseClient, ChangeGroup, SetPose, AddGroup, RemoveGroup, PutThing,
+    RemoveThing, SetParameter, GiveOrder, EditQueue, AddCharacters, TransferCharacters, SplitGroup,
+    MergeGroups, ChangeCharacters, WriteMotion, ReverseQueue>;
 // clang-format on
 
 }  // namespace muster

@@ -149,6 +149,21 @@ enum class Turn : std::uint8_t {
     Flow,
 };
 
+/// What a finger or a pointer does.
+enum class TouchPhase : std::uint8_t {
+    Down,    ///< It comes down.
+    Move,    ///< It moves.
+    Up,      ///< It lifts.
+    Cancel,  ///< It is lost: its control ends at once.
+};
+
+/// Changes of a control.
+enum class ControlEdit : std::uint8_t {
+    Pin,      ///< It stays at the end of its trajectory.
+    Release,  ///< It is no longer pinned.
+    Remove,   ///< It ends at once.
+};
+
 /// Where a new order stands in a queue.
 enum class QueueMode : std::uint8_t {
     Replace,  ///< It takes the place of all others.
@@ -252,6 +267,10 @@ template <>
 inline constexpr Manner kLastOf<Manner> = Manner::Continuum;
 template <>
 inline constexpr Turn kLastOf<Turn> = Turn::Flow;
+template <>
+inline constexpr TouchPhase kLastOf<TouchPhase> = TouchPhase::Cancel;
+template <>
+inline constexpr ControlEdit kLastOf<ControlEdit> = ControlEdit::Remove;
 template <>
 inline constexpr QueueMode kLastOf<QueueMode> = QueueMode::Insert;
 template <>

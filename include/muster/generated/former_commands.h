@@ -306,6 +306,75 @@ struct SetPeople {
         archive(group, people);
     }
 };
+/// A finger touches down. It edits the group whose mesh is nearest within `input.reach`, or `group` if given.
+struct TouchDown {
+    std::uint32_t touch = 0;  ///< Number of the finger, unique per client while it is down.
+    Vec2 position;            ///< Position in the world [m].
+    double time = 0.0;        ///< World time stamp [s].
+    GroupId group;            ///< Group to edit; none to pick it by position.
+
+    /// Lets an archive read or write the command.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(touch, position, time, group);
+    }
+};
+/// A finger moves.
+struct TouchMove {
+    std::uint32_t touch = 0;  ///< Number of the finger.
+    Vec2 position;            ///< Position in the world [m].
+    double time = 0.0;        ///< World time stamp [s].
+
+    /// Lets an archive read or write the command.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(touch, position, time);
+    }
+};
+/// A finger lifts; its trajectory is still followed.
+struct TouchUp {
+    std::uint32_t touch = 0;  ///< Number of the finger.
+    double time = 0.0;        ///< World time stamp [s].
+
+    /// Lets an archive read or write the command.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(touch, time);
+    }
+};
+/// The control of a finger ends at once.
+struct TouchCancel {
+    std::uint32_t touch = 0;  ///< Number of the finger.
+
+    /// Lets an archive read or write the command.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(touch);
+    }
+};
+/// Pins a control at the end of its trajectory, or releases it.
+struct PinControl {
+    GroupId group;       ///< Group that the control belongs to.
+    ControlId control;   ///< Its id.
+    bool pinned = true;  ///< False to release it.
+
+    /// Lets an archive read or write the command.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(group, control, pinned);
+    }
+};
+/// Ends a control at once.
+struct RemoveControl {
+    GroupId group;      ///< Group that the control belongs to.
+    ControlId control;  ///< Its id.
+
+    /// Lets an archive read or write the command.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(group, control);
+    }
+};
 
 CommandBody converted(const AddObstacle& c);       ///< The command that says the same.
 CommandBody converted(const ChangeObstacle& c);    ///< The command that says the same.
@@ -334,6 +403,12 @@ CommandBody converted(const NameGroup& c);         ///< The command that says th
 CommandBody converted(const ColourGroup& c);       ///< The command that says the same.
 CommandBody converted(const SetAppearance& c);     ///< The command that says the same.
 CommandBody converted(const SetPeople& c);         ///< The command that says the same.
+CommandBody converted(const TouchDown& c);         ///< The command that says the same.
+CommandBody converted(const TouchMove& c);         ///< The command that says the same.
+CommandBody converted(const TouchUp& c);           ///< The command that says the same.
+CommandBody converted(const TouchCancel& c);       ///< The command that says the same.
+CommandBody converted(const PinControl& c);        ///< The command that says the same.
+CommandBody converted(const RemoveControl& c);     ///< The command that says the same.
 
 /// Any of them.
 // clang-format off
@@ -341,7 +416,8 @@ using FormerKinds = std::variant<
     AddObstacle, ChangeObstacle, RemoveObstacle, AddPatch, ChangePatch, RemovePatch, AddItem, ChangeItem,
     RemoveItem, AddCheckpoint, ChangeCheckpoint, RemoveCheckpoint, PutArea, RemoveArea, SetFormation,
     SetCount, SetConduct, RemoveCharacters, SetBodies, SetRoles, SetDemands, SetDriver, PlaceGroup, NameGroup,
-    ColourGroup, SetAppearance, SetPeople>;
+    ColourGroup, SetAppearance, SetPeople, TouchDown, TouchMove, TouchUp, TouchCancel, PinControl,
+    RemoveControl>;
 // clang-format on
 
 }  // namespace muster

@@ -29,6 +29,8 @@ inline constexpr std::array kOrderKindWords{"move", "face", "follow", "guard", "
 inline constexpr std::array kExitChoiceWords{"quickest", "nearest"};
 inline constexpr std::array kMannerWords{"march", "free", "continuum"};
 inline constexpr std::array kTurnWords{"wheel", "reverse", "keep", "flow"};
+inline constexpr std::array kTouchPhaseWords{"down", "move", "up", "cancel"};
+inline constexpr std::array kControlEditWords{"pin", "release", "remove"};
 inline constexpr std::array kQueueModeWords{"replace", "append", "insert"};
 inline constexpr std::array kQueueEditWords{"cancel", "hold", "resume", "patrol", "endPatrol", "stop"};
 inline constexpr std::array kStanceWords{"normal", "hold", "yield"};

@@ -85,6 +85,16 @@ CommandBody& CommandBody::operator=(const CommandBody& other) = default;
 CommandBody& CommandBody::operator=(CommandBody&& other) noexcept = default;
 CommandBody::~CommandBody() = default;
 
+const Touch* touchOf(const CommandBody& body, TouchPhase phase) {
+    const auto* touch = std::get_if<Touch>(&body);
+    return touch != nullptr && touch->phase == phase ? touch : nullptr;
+}
+
+Touch* touchOf(CommandBody& body, TouchPhase phase) {
+    auto* touch = std::get_if<Touch>(&body);
+    return touch != nullptr && touch->phase == phase ? touch : nullptr;
+}
+
 std::vector<std::uint8_t> encodeCommand(const Command& command) {
     Writer writer;
     encodeCommand(writer, command);

@@ -86,6 +86,25 @@ CommandBody converted(const PlaceGroup& c) {
     return SetPose{c.group, c.position, c.angle, true};
 }
 
+CommandBody converted(const TouchDown& c) {
+    return Touch{TouchPhase::Down, c.touch, c.position, c.time, c.group};
+}
+CommandBody converted(const TouchMove& c) {
+    return Touch{TouchPhase::Move, c.touch, c.position, c.time, {}};
+}
+CommandBody converted(const TouchUp& c) {
+    return Touch{TouchPhase::Up, c.touch, {}, c.time, {}};
+}
+CommandBody converted(const TouchCancel& c) {
+    return Touch{TouchPhase::Cancel, c.touch, {}, 0.0, {}};
+}
+CommandBody converted(const PinControl& c) {
+    return EditControl{c.group, c.control, c.pinned ? ControlEdit::Pin : ControlEdit::Release};
+}
+CommandBody converted(const RemoveControl& c) {
+    return EditControl{c.group, c.control, ControlEdit::Remove};
+}
+
 namespace {
 
 /// One function for each kind that stands for several former ones.
@@ -117,6 +136,16 @@ struct Former {
         if (c.bodies.has_value() == c.driver.has_value()) return std::nullopt;
         if (c.bodies) return SetBodies{c.ids, *c.bodies};
         return SetDriver{c.ids, *c.driver};
+    }
+    std::optional<FormerKinds> operator()(const Touch& c) const {
+        if (c.phase == TouchPhase::Down) return TouchDown{c.touch, c.position, c.time, c.group};
+        if (c.phase == TouchPhase::Move) return TouchMove{c.touch, c.position, c.time};
+        if (c.phase == TouchPhase::Up) return TouchUp{c.touch, c.time};
+        return TouchCancel{c.touch};
+    }
+    std::optional<FormerKinds> operator()(const EditControl& c) const {
+        if (c.edit == ControlEdit::Remove) return RemoveControl{c.group, c.control};
+        return PinControl{c.group, c.control, c.edit == ControlEdit::Pin};
     }
     template <class Other>
     std::optional<FormerKinds> operator()(const Other&) const {

@@ -35,4 +35,20 @@ void describeByHand(Visitor& v, AddControl& c, double& time) {
     c.time = time;
 }
 
+/// A finger that lifts or is lost is nowhere.
+template <class Visitor>
+void describeByHand(Visitor& v, Touch& c, double& time) {
+    describeWord(v, "phase", c.phase, kTouchPhaseWords, "What it does.", Need::Required);
+    v.whole("touch", c.touch, kId, "Number of the finger.", Need::Required);
+    const bool placed = c.phase == TouchPhase::Down || c.phase == TouchPhase::Move;
+    const Need need = placed && !Visitor::kSchema ? Need::Required : Need::Optional;
+    if (takesPart<Visitor>(placed)) {
+        v.number("x", c.position.x, kCoordinate, "For down and move: world coordinate.", need);
+        v.number("y", c.position.y, kCoordinate, "For down and move: world coordinate.", need);
+    }
+    if (takesPart<Visitor>(static_cast<bool>(c.group)))
+        v.whole("group", c.group.value, kId, "For down: group to edit; left out: the nearest.");
+    c.time = time;
+}
+
 }  // namespace muster

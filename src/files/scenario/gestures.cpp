@@ -152,6 +152,7 @@ void describeFile(Visitor& v, std::vector<Event>& events, double stepTime) {
 
 /// The time stamp of a command that has one; otherwise the start of its step.
 double timeOf(const Command& command, double stepTime) {
+    if (touchOf(command.body, TouchPhase::Cancel) != nullptr) return command.step * stepTime;
     return std::visit(
         [&](const auto& body) {
             if constexpr (requires { body.time; }) {

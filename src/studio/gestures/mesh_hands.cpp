@@ -63,7 +63,7 @@ void MeshHands::endOldWays(GroupId group, const World& world, std::vector<Comman
         const bool lifted = std::none_of(control.points.begin(), control.points.end(),
                                          [](const ControlPoint& p) { return p.down; });
         if (control.client == def_.client && lifted && !control.pinned)
-            commands.emplace_back(RemoveControl{group, control.id});
+            commands.emplace_back(EditControl{group, control.id, ControlEdit::Remove});
     }
 }
 
@@ -86,7 +86,7 @@ bool MeshHands::down(std::uint32_t pointer, GroupId group, Vec2 ground, double t
         if (index >= 0 && !world.group(static_cast<std::size_t>(index)).orders.empty())
             commands.emplace_back(EditQueue{group, QueueEdit::Stop, 0});
     }
-    commands.emplace_back(TouchDown{finger.touch, ground, time, group});
+    commands.emplace_back(Touch{TouchPhase::Down, finger.touch, ground, time, group});
     fingers_.push_back(finger);
     return true;
 }
@@ -96,7 +96,7 @@ void MeshHands::move(std::uint32_t pointer, Vec2 ground, double time, const Worl
     Finger* finger = find(pointer);
     if (finger == nullptr) return;
     finger->at = ground;
-    if (finger->held) commands.emplace_back(TouchMove{finger->touch, ground, time});
+    if (finger->held) commands.emplace_back(Touch{TouchPhase::Move, finger->touch, ground, time, {}});
     if (def_.shapes && finger->paired) spread(*finger, world, commands);
     if (def_.splits && !finger->paired) tear(*finger, world, commands);
 }
@@ -105,9 +105,9 @@ void MeshHands::up(std::uint32_t pointer, double time, bool cancelled, std::vect
     const Finger* finger = find(pointer);
     if (finger == nullptr) return;
     if (finger->held && cancelled)
-        commands.emplace_back(TouchCancel{finger->touch});
+        commands.emplace_back(Touch{TouchPhase::Cancel, finger->touch, {}, 0.0, {}});
     else if (finger->held)
-        commands.emplace_back(TouchUp{finger->touch, time});
+        commands.emplace_back(Touch{TouchPhase::Up, finger->touch, {}, time, {}});
     fingers_.erase(fingers_.begin() + (finger - fingers_.data()));
 }
 
@@ -131,7 +131,7 @@ void MeshHands::spread(const Finger& moved, const World& world, std::vector<Comm
     ChangeGroup change{.group = moved.group, .formation = def.formation};
     change.formation->files = files;
     commands.emplace_back(std::move(change));
-    commands.emplace_back(TouchCancel{moved.touch});  // The line ends as a whole.
+    commands.emplace_back(Touch{TouchPhase::Cancel, moved.touch, {}, 0.0, {}});  // The line ends as a whole.
     for (Finger& finger : fingers_) {
         if (finger.group != moved.group) continue;
         finger.held = false;
@@ -156,7 +156,8 @@ void MeshHands::takeAgain(const World& world, std::vector<CommandBody>& commands
         line.positions.push_back(finger.at);
     }
     if (line.touches.size() == 1)
-        commands.emplace_back(TouchDown{line.touches[0], line.positions[0], line.time, line.group});
+        commands.emplace_back(
+            Touch{TouchPhase::Down, line.touches[0], line.positions[0], line.time, line.group});
     if (line.touches.size() == 2) commands.emplace_back(std::move(line));
 }
 

@@ -74,7 +74,7 @@ void MouseMesh::move(const PointerEvent& event, Vec2 ground, const World& world,
         for (std::size_t i = 0; i < held_.size(); ++i) {
             if (i != handle_ && !event.modifiers.alt) continue;
             held_[i].at += step;
-            commands.emplace_back(TouchMove{held_[i].touch, held_[i].at, event.time});
+            commands.emplace_back(Touch{TouchPhase::Move, held_[i].touch, held_[i].at, event.time, {}});
         }
     }
     if (mode_ == Mode::Band) marks_.stroke = {marks_.stroke.front(), ground};
@@ -115,7 +115,7 @@ void MouseMesh::make(ControlKind kind, std::vector<Vec2> points, double time,
 }
 
 void MouseMesh::letGo(double time, std::vector<CommandBody>& commands) {
-    for (const Held& held : held_) commands.emplace_back(TouchUp{held.touch, time});
+    for (const Held& held : held_) commands.emplace_back(Touch{TouchPhase::Up, held.touch, {}, time, {}});
     held_.clear();
 }
 
@@ -128,9 +128,10 @@ void MouseMesh::key(const KeyEvent& event, const World& world, std::vector<Comma
     const auto controls = world.group(static_cast<std::size_t>(index)).controls;
     if (controls.empty()) return;
     if (event.key == 'P')
-        commands.emplace_back(PinControl{group_, controls.back().id, !controls.back().pinned});
+        commands.emplace_back(EditControl{group_, controls.back().id,
+                                          !controls.back().pinned ? ControlEdit::Pin : ControlEdit::Release});
     else
-        commands.emplace_back(RemoveControl{group_, controls.back().id});
+        commands.emplace_back(EditControl{group_, controls.back().id, ControlEdit::Remove});
     if (event.key == kDelete) held_.clear();
 }
 

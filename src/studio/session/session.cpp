@@ -273,8 +273,8 @@ void Session::Impl::reportRejections() {
     for (const Rejection& rejection : world->rejections()) {
         const CommandBody& body = rejection.command.body;
         // A finger whose beginning was refused causes no further notices.
-        if (std::holds_alternative<TouchMove>(body) || std::holds_alternative<TouchUp>(body) ||
-            std::holds_alternative<TouchCancel>(body))
+        if (const auto* touch = std::get_if<Touch>(&body);
+            touch != nullptr && touch->phase != TouchPhase::Down)
             continue;
         const auto found = std::find_if(clients.begin(), clients.end(), [&](const auto& entry) {
             return entry.second.number == rejection.command.client;

@@ -15,18 +15,10 @@ namespace {
 constexpr std::int32_t kMaxSingleSteps = 60;  // Largest number of single steps that may wait.
 
 CommandBody touchCommand(const protocol::TouchEvent& event, double time) {
-    const Vec2 position{event.x, event.y};
-    switch (event.phase) {
-        case protocol::TouchPhase::Down:
-            return TouchDown{event.touch, position, time, GroupId{event.group}};
-        case protocol::TouchPhase::Move:
-            return TouchMove{event.touch, position, time};
-        case protocol::TouchPhase::Up:
-            return TouchUp{event.touch, time};
-        case protocol::TouchPhase::Cancel:
-            break;
-    }
-    return TouchCancel{event.touch};
+    const bool down = event.phase == TouchPhase::Down;
+    const bool placed = down || event.phase == TouchPhase::Move;
+    return Touch{event.phase, event.touch, placed ? Vec2{event.x, event.y} : Vec2{}, time,
+                 down ? GroupId{event.group} : GroupId{}};
 }
 
 Status limitExceeded(const std::string& what, std::size_t found, std::size_t most) {

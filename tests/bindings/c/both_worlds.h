@@ -55,9 +55,9 @@ inline std::vector<std::pair<std::uint32_t, muster::CommandBody>> sampleScript(c
     closed.open = false;
     GiveOrder go{first, QueueMode::Replace, 0, Order::move({10, -6}, 0.0)};
     go.order.route = {{-2, -10}, {6, -9}};
-    return {{0, TouchDown{1, world.group(0).finalMesh.front(), 0.0, first}},
-            {2, TouchMove{1, world.group(0).finalMesh.front() + Vec2{1, 0}, 0.1}},
-            {10, TouchUp{1, 0.2}},
+    return {{0, Touch{TouchPhase::Down, 1, world.group(0).finalMesh.front(), 0.0, first}},
+            {2, Touch{TouchPhase::Move, 1, world.group(0).finalMesh.front() + Vec2{1, 0}, 0.1, {}}},
+            {10, Touch{TouchPhase::Up, 1, {}, 0.2, {}}},
             {20, go},
             {30, SetParameter{"character.maxSpeed", 1.7}},
             {40, ChangeGroup{.group = second, .conduct = Conduct{Stance::Hold, 0.5, 0.3, true}}},

@@ -126,9 +126,9 @@ TEST_SUITE("files in C") {
     }
 
     TEST_CASE("gestures come through C and back") {
-        const std::vector<Command> commands{{6, 1, 0, TouchDown{1, {1, 2}, 0.1, {}}},
-                                            {12, 1, 1, TouchMove{1, {2, 2}, 0.2}},
-                                            {18, 1, 2, TouchUp{1, 0.3}}};
+        const std::vector<Command> commands{{6, 1, 0, Touch{TouchPhase::Down, 1, {1, 2}, 0.1, {}}},
+                                            {12, 1, 1, Touch{TouchPhase::Move, 1, {2, 2}, 0.2, {}}},
+                                            {18, 1, 2, Touch{TouchPhase::Up, 1, {}, 0.3, {}}}};
         const double stepTime = 1.0 / 60.0;
         const std::string text = writeGestures(commands, stepTime);
         MusterCommandListId list{};
@@ -137,8 +137,8 @@ TEST_SUITE("files in C") {
         std::int32_t count = 0;
         REQUIRE(muster_command_list_get(list, &read, &count) == MUSTER_OK);
         REQUIRE(count == 3);
-        CHECK(read[1].kind == MUSTER_COMMAND_TOUCH_MOVE);
-        CHECK(read[1].body.touchMove.position.x == 2.0);
+        CHECK(read[1].kind == MUSTER_COMMAND_TOUCH);
+        CHECK(read[1].body.touch.position.x == 2.0);
         MusterBuffer again{};
         REQUIRE(muster_gestures_text(read, count, stepTime, &again) == MUSTER_OK);
         CHECK(takeText(again) == text);

@@ -38,7 +38,7 @@ TEST_SUITE("misuse of the C API") {
             CHECK(hash == 5);
             MusterCharacters characters = muster_default_characters();
             CHECK(muster_world_characters(id, &characters) == MUSTER_NOT_FOUND);
-            const MusterCommand command = muster_default_command(MUSTER_COMMAND_TOUCH_UP);
+            const MusterCommand command = muster_default_command(MUSTER_COMMAND_TOUCH);
             CHECK(muster_world_submit(id, &command) == MUSTER_NOT_FOUND);
         }
         CHECK(muster_world_destroy(again) == MUSTER_OK);
@@ -144,8 +144,9 @@ TEST_SUITE("misuse of the C API") {
         BothWorlds both(makeDef());
         both.step();
         const double nan = std::nan("");
-        CHECK(both.submit({1, 1, 0, TouchDown{1, {nan, 0}, 0.0, {}}}) == MUSTER_INVALID_ARGUMENT);
-        CHECK(both.submit({0, 1, 1, TouchUp{1, 0.0}}) == MUSTER_INVALID_ARGUMENT);
+        CHECK(both.submit({1, 1, 0, Touch{TouchPhase::Down, 1, {nan, 0}, 0.0, {}}}) ==
+              MUSTER_INVALID_ARGUMENT);
+        CHECK(both.submit({0, 1, 1, Touch{TouchPhase::Up, 1, {}, 0.0, {}}}) == MUSTER_INVALID_ARGUMENT);
         CHECK(both.submit({1, 1, 2, SetParameter{"no.such", 1.0}}) != MUSTER_OK);
         CHECK(both.submit({1, 1, 3, ChangeGroup{.group = {1}, .count = 0}}) == MUSTER_INVALID_ARGUMENT);
         WorldDef bad = makeDef();

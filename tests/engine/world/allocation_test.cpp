@@ -87,11 +87,11 @@ long leadToAndFro(const WorldDef& def, int legs) {
     long inStep = 0;
     for (int leg = 0; leg < legs; ++leg) {
         const double from = leg % 2 == 0 ? -6.0 : 6.0;
-        REQUIRE(give(world, TouchDown{1, {from, 0}, world.time(), {}}).ok());
+        REQUIRE(give(world, Touch{TouchPhase::Down, 1, {from, 0}, world.time(), {}}).ok());
         world.step();
-        REQUIRE(give(world, TouchMove{1, {-from, 0}, world.time()}).ok());
+        REQUIRE(give(world, Touch{TouchPhase::Move, 1, {-from, 0}, world.time(), {}}).ok());
         world.step();
-        REQUIRE(give(world, TouchUp{1, world.time()}).ok());
+        REQUIRE(give(world, Touch{TouchPhase::Up, 1, {}, world.time(), {}}).ok());
         world.step();
         const long before = allocations;
         for (int s = 0; s < 900; ++s) world.step();

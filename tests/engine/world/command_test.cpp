@@ -79,11 +79,11 @@ TEST_CASE("a command as bytes: the same as in archives, and nothing behind it") 
 }
 
 TEST_CASE("decoded values are those encoded") {
-    const auto bytes = bytesOf({5, 2, 9, TouchDown{7, {1.5, -2.25}, 0.125, GroupId{2}}});
+    const auto bytes = bytesOf({5, 2, 9, Touch{TouchPhase::Down, 7, {1.5, -2.25}, 0.125, GroupId{2}}});
     Reader reader(bytes);
     const auto back = decodeCommand(reader);
     REQUIRE(back.ok());
-    const auto& down = std::get<TouchDown>(back->body);
+    const auto& down = std::get<Touch>(back->body);
     CHECK(down.touch == 7);
     CHECK(down.position == Vec2{1.5, -2.25});
     CHECK(down.time == 0.125);
@@ -98,7 +98,7 @@ TEST_CASE("cut bytes and unknown kinds are refused") {
             CHECK(decodeCommand(reader).status().code() == StatusCode::ParseError);
         }
     }
-    auto bytes = bytesOf({0, 0, 0, TouchCancel{1}});
+    auto bytes = bytesOf({0, 0, 0, Touch{TouchPhase::Cancel, 1, {}, 0.0, {}}});
     bytes[12] = 200;
     Reader reader(bytes);
     CHECK(decodeCommand(reader).status().message().find("200") != std::string::npos);
@@ -129,11 +129,11 @@ TEST_CASE("values out of range are refused") {
         return status.code() == StatusCode::InvalidArgument || status.code() == StatusCode::NotFound ||
                status.code() == StatusCode::LimitExceeded;
     };
-    CHECK(refused(TouchDown{1, {nan, 0}, 0, {}}));
-    CHECK(refused(TouchDown{1, {0, infinity}, 0, {}}));
-    CHECK(refused(TouchDown{1, {0, 0}, -1.0, {}}));
-    CHECK(refused(TouchMove{1, {2e6, 0}, 0}));
-    CHECK(refused(TouchUp{1, nan}));
+    CHECK(refused(Touch{TouchPhase::Down, 1, {nan, 0}, 0, {}}));
+    CHECK(refused(Touch{TouchPhase::Down, 1, {0, infinity}, 0, {}}));
+    CHECK(refused(Touch{TouchPhase::Down, 1, {0, 0}, -1.0, {}}));
+    CHECK(refused(Touch{TouchPhase::Move, 1, {2e6, 0}, 0, {}}));
+    CHECK(refused(Touch{TouchPhase::Up, 1, {}, nan, {}}));
     CHECK(refused(ChangeGroup{.group = GroupId{1}, .count = 0}));
     CHECK(refused(ChangeGroup{.group = GroupId{1}, .count = 200001}));
     CHECK(refused(SetPose{GroupId{1}, {0, 0}, infinity}));

@@ -30,10 +30,10 @@ std::vector<std::uint8_t> smallSnapshot(bool weights = false) {
     def.items.push_back({{3, 3}, 0.3});
     def.checkpoints.emplace_back().position = {3, -3};
     World world = World::create(def).value();
-    REQUIRE(give(world, TouchDown{1, {-2, 0.5}, 0, {}}).ok());
-    REQUIRE(give(world, TouchDown{2, {-2, -0.5}, 0, {}}).ok());
+    REQUIRE(give(world, Touch{TouchPhase::Down, 1, {-2, 0.5}, 0, {}}).ok());
+    REQUIRE(give(world, Touch{TouchPhase::Down, 2, {-2, -0.5}, 0, {}}).ok());
     for (int s = 0; s < 30; ++s) {
-        REQUIRE(give(world, TouchMove{1, {-2 + 0.2 * s, 0.5}, world.time()}).ok());
+        REQUIRE(give(world, Touch{TouchPhase::Move, 1, {-2 + 0.2 * s, 0.5}, world.time(), {}}).ok());
         world.step();
     }
     REQUIRE(world.submit({world.stepCount() + 2, 3, 1, SetParameter{"plan.period", 3}}).ok());

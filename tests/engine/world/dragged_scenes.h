@@ -47,9 +47,14 @@ public:
         const double share = std::min(1.0, (now - kStart) / kDrawing);
         if (world.stepCount() % 4 == 0 || share >= 1.0)
             for (std::uint32_t touch = 1; touch <= down_; ++touch)
-                give(world, TouchMove{touch, corners_[touch - 1] + drag_[(touch - 1) / 4] * share, now});
+                give(world, Touch{TouchPhase::Move,
+                                  touch,
+                                  corners_[touch - 1] + drag_[(touch - 1) / 4] * share,
+                                  now,
+                                  {}});
         if (share < 1.0) return;
-        for (std::uint32_t touch = 1; touch <= down_; ++touch) give(world, TouchUp{touch, now});
+        for (std::uint32_t touch = 1; touch <= down_; ++touch)
+            give(world, Touch{TouchPhase::Up, touch, {}, now, {}});
         lifted_ = true;
     }
 
@@ -110,7 +115,7 @@ private:
                 for (const Vec2 v : group.finalMesh)
                     if (dot(v - corner, way) > 0.0) corner = v;
                 corners_.push_back(corner);
-                give(world, TouchDown{++down_, corner, world.time(), group.id});
+                give(world, Touch{TouchPhase::Down, ++down_, corner, world.time(), group.id});
             }
         }
     }

@@ -94,11 +94,11 @@ TEST_CASE("arrival is told in the very step that the definition gives") {
 
 TEST_CASE("a drawn way is told as carried out when the finger's path is followed") {
     World world = World::create(openFloor(16)).value();
-    REQUIRE(give(world, TouchDown{1, {-6, 0}, world.time(), {}}).ok());
+    REQUIRE(give(world, Touch{TouchPhase::Down, 1, {-6, 0}, world.time(), {}}).ok());
     CHECK(watch(world, 30).empty());
-    REQUIRE(give(world, TouchMove{1, {4, 0}, world.time()}).ok());
+    REQUIRE(give(world, Touch{TouchPhase::Move, 1, {4, 0}, world.time(), {}}).ok());
     CHECK(watch(world, 120).empty());
-    REQUIRE(give(world, TouchUp{1, world.time()}).ok());
+    REQUIRE(give(world, Touch{TouchPhase::Up, 1, {}, world.time(), {}}).ok());
     CHECK(kindsOf(watch(world, 1200)) == std::vector{EventKind::Arrived});
 }
 

@@ -48,16 +48,20 @@ TEST_CASE("two clients draw two groups in the same steps, with the same touch nu
         const auto send = [&](std::uint32_t client, Vec2 from, Vec2 travel) {
             const std::uint32_t sequence = static_cast<std::uint32_t>(s);
             if (s == 0)
-                REQUIRE(
-                    world.submit({world.stepCount(), client, sequence, TouchDown{7, from, world.time(), {}}})
-                        .ok());
+                REQUIRE(world
+                            .submit({world.stepCount(), client, sequence,
+                                     Touch{TouchPhase::Down, 7, from, world.time(), {}}})
+                            .ok());
             else if (s < 120)
                 REQUIRE(world
                             .submit({world.stepCount(), client, sequence,
-                                     TouchMove{7, from + travel * along, world.time()}})
+                                     Touch{TouchPhase::Move, 7, from + travel * along, world.time(), {}}})
                             .ok());
             else
-                REQUIRE(world.submit({world.stepCount(), client, sequence, TouchUp{7, world.time()}}).ok());
+                REQUIRE(world
+                            .submit({world.stepCount(), client, sequence,
+                                     Touch{TouchPhase::Up, 7, {}, world.time(), {}}})
+                            .ok());
         };
         send(2, {6, 5}, {0, -8});
         send(1, {-6, 0}, {4, 4});
@@ -76,14 +80,15 @@ TEST_CASE("two clients draw two groups in the same steps, with the same touch nu
 
 TEST_CASE("a client that leaves lifts its own fingers only") {
     World world = World::create(twoGroups()).value();
-    REQUIRE(world.submit({0, 1, 0, TouchDown{1, {-6, 0}, 0, {}}}).ok());
-    REQUIRE(world.submit({0, 2, 0, TouchDown{1, {6, 5}, 0, {}}}).ok());
+    REQUIRE(world.submit({0, 1, 0, Touch{TouchPhase::Down, 1, {-6, 0}, 0, {}}}).ok());
+    REQUIRE(world.submit({0, 2, 0, Touch{TouchPhase::Down, 1, {6, 5}, 0, {}}}).ok());
     for (int s = 0; s < 30; ++s) world.step();
     REQUIRE(world.submit({world.stepCount(), 1, 1, ReleaseClient{}}).ok());
     run(world, 3);
     CHECK(world.group(0).controls.empty());
     CHECK(world.group(1).controls.size() == 1);
-    REQUIRE(world.submit({world.stepCount(), 1, 2, TouchMove{1, {0, 0}, world.time()}}).ok());
+    REQUIRE(
+        world.submit({world.stepCount(), 1, 2, Touch{TouchPhase::Move, 1, {0, 0}, world.time(), {}}}).ok());
     world.step();
     CHECK(world.rejections().size() == 1);  // Its finger is not down any more.
 }

@@ -280,14 +280,14 @@ TEST_CASE("fingers take over, and the order goes on from where they leave the me
     tell(world, Order::move({20, 0}), id);
     run(world, 2, log);
     const Vec2 at = world.group(0).finalMesh[0];
-    REQUIRE(give(world, TouchDown{1, at, world.time(), id}).ok());
+    REQUIRE(give(world, Touch{TouchPhase::Down, 1, at, world.time(), id}).ok());
     for (int s = 0; s < 120; ++s) {
-        REQUIRE(give(world, TouchMove{1, at + Vec2{0, 0.04 * s}, world.time()}).ok());
+        REQUIRE(give(world, Touch{TouchPhase::Move, 1, at + Vec2{0, 0.04 * s}, world.time(), {}}).ok());
         world.step();
     }
     CHECK(world.group(0).pose.position.y > 1.5);
     CHECK(world.group(0).orders.size() == 1);
-    REQUIRE(give(world, TouchUp{1, world.time()}).ok());
+    REQUIRE(give(world, Touch{TouchPhase::Up, 1, {}, world.time(), {}}).ok());
     run(world, 30, log);
     CHECK(log.count(EventKind::OrderDone) == 1);
     CHECK(distance(middleOf(world), {20, 0}) < 0.5);

@@ -47,10 +47,12 @@ Track trackOf(WorldDef def, const char* parameter, double value, const Director&
 Director drawing(Vec2 from, Vec2 travel, int steps = 120) {
     return [=](World& world, int s) {
         std::uint32_t sequence = static_cast<std::uint32_t>(s) * 2;
-        if (s == 0) REQUIRE(give(world, TouchDown{1, from, world.time(), {}}).ok());
+        if (s == 0) REQUIRE(give(world, Touch{TouchPhase::Down, 1, from, world.time(), {}}).ok());
         if (s > 0 && s <= steps)
-            REQUIRE(give(world, TouchMove{1, from + travel * (s * 1.0 / steps), world.time()}).ok());
-        if (s == steps + 1) REQUIRE(give(world, TouchUp{1, world.time()}).ok());
+            REQUIRE(
+                give(world, Touch{TouchPhase::Move, 1, from + travel * (s * 1.0 / steps), world.time(), {}})
+                    .ok());
+        if (s == steps + 1) REQUIRE(give(world, Touch{TouchPhase::Up, 1, {}, world.time(), {}}).ok());
     };
 }
 

@@ -132,10 +132,11 @@ public:
         if (dice < 4) begin(world, now);
         for (std::uint32_t touch = 1; touch <= down_; ++touch) {
             positions_[touch] += Vec2{random_.uniform(-0.1, 0.2), random_.uniform(-0.1, 0.1)};
-            (void)give(world, TouchMove{touch, positions_[touch], now});
+            (void)give(world, Touch{TouchPhase::Move, touch, positions_[touch], now, {}});
         }
         if (dice == 50) {
-            for (std::uint32_t touch = 1; touch <= down_; ++touch) (void)give(world, TouchUp{touch, now});
+            for (std::uint32_t touch = 1; touch <= down_; ++touch)
+                (void)give(world, Touch{TouchPhase::Up, touch, {}, now, {}});
             down_ = 0;
         }
         if (dice == 60) {
@@ -162,7 +163,7 @@ private:
         const auto mesh = world.group(0).finalMesh;
         const std::uint32_t touch = ++down_;
         positions_[touch] = mesh[random_.below(static_cast<std::uint32_t>(mesh.size()))];
-        (void)give(world, TouchDown{touch, positions_[touch], now, world.group(0).id});
+        (void)give(world, Touch{TouchPhase::Down, touch, positions_[touch], now, world.group(0).id});
     }
 
     Random random_;

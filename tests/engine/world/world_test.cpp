@@ -46,18 +46,18 @@ void drag(
     const auto mesh = world.group(0).finalMesh;
     const Vec2 a = mesh.front();
     const Vec2 b = mesh.back();
-    REQUIRE(give(world, TouchDown{1, a, world.time(), {}}).ok());
-    REQUIRE(give(world, TouchDown{2, b, world.time(), {}}).ok());
+    REQUIRE(give(world, Touch{TouchPhase::Down, 1, a, world.time(), {}}).ok());
+    REQUIRE(give(world, Touch{TouchPhase::Down, 2, b, world.time(), {}}).ok());
     const int steps = static_cast<int>(length(travel) / 1.5 * 60.0);
     for (int s = 1; s <= steps; ++s) {
         world.step();
         watch(world);
         const Vec2 offset = travel * (static_cast<double>(s) / steps);
-        REQUIRE(give(world, TouchMove{1, a + offset, world.time()}).ok());
-        REQUIRE(give(world, TouchMove{2, b + offset, world.time()}).ok());
+        REQUIRE(give(world, Touch{TouchPhase::Move, 1, a + offset, world.time(), {}}).ok());
+        REQUIRE(give(world, Touch{TouchPhase::Move, 2, b + offset, world.time(), {}}).ok());
     }
-    REQUIRE(give(world, TouchUp{1, world.time()}).ok());
-    REQUIRE(give(world, TouchUp{2, world.time()}).ok());
+    REQUIRE(give(world, Touch{TouchPhase::Up, 1, {}, world.time(), {}}).ok());
+    REQUIRE(give(world, Touch{TouchPhase::Up, 2, {}, world.time(), {}}).ok());
 }
 
 }  // namespace
@@ -194,11 +194,11 @@ TEST_CASE("items are collected once and checkpoints change the formation") {
 TEST_CASE("bad commands are refused with a sentence and change nothing") {
     World world = World::create(openFloor(9)).value();
     World other = World::create(openFloor(9)).value();
-    CHECK_FALSE(world.submit({0, 1, 0, TouchDown{1, {NAN, 0}, 0.0, {}}}).ok());
+    CHECK_FALSE(world.submit({0, 1, 0, Touch{TouchPhase::Down, 1, {NAN, 0}, 0.0, {}}}).ok());
     CHECK(give(world, ChangeGroup{.group = GroupId{99}, .formation = FormationDef{}}).ok());
     CHECK(give(world, removeThing(ObstacleId{5})).ok());
-    CHECK(give(world, TouchUp{4, 0.0}).ok());
-    CHECK(give(world, TouchDown{1, {11, 11}, 0.0, {}}).ok());
+    CHECK(give(world, Touch{TouchPhase::Up, 4, {}, 0.0, {}}).ok());
+    CHECK(give(world, Touch{TouchPhase::Down, 1, {11, 11}, 0.0, {}}).ok());
     world.step();
     other.step();
     CHECK(world.rejections().size() == 4);

@@ -29,9 +29,9 @@ Take minuteTake() {
     for (int step = 0; step < 3600; ++step) {
         const int part = step % 240;
         const Vec2 at{(part < 120 ? part : 240 - part) * 0.05 - 3.0, 1.0};
-        if (part == 0) submit(TouchDown{1, at, world.time(), {}});
-        if (part > 0 && part < 200) submit(TouchMove{1, at, world.time()});
-        if (part == 200) submit(TouchUp{1, world.time()});
+        if (part == 0) submit(Touch{TouchPhase::Down, 1, at, world.time(), {}});
+        if (part > 0 && part < 200) submit(Touch{TouchPhase::Move, 1, at, world.time(), {}});
+        if (part == 200) submit(Touch{TouchPhase::Up, 1, {}, world.time(), {}});
         world.step();
     }
     append(TakeEncoder::end({world.stepCount(), world.hash()}));

@@ -66,7 +66,7 @@ std::vector<std::uint8_t> bytesOf(Part part) {
 
 TEST_CASE("a move of a touch moves a finger, one of a group is an order") {
     const CommandBody finger = bodyOf(R"({"kind":"move","touch":3,"x":1,"y":2})");
-    CHECK(std::get<TouchMove>(finger).position == Vec2{1, 2});
+    CHECK(std::get<Touch>(finger).position == Vec2{1, 2});
     const CommandBody body = bodyOf(R"({"kind":"move","group":2,"x":1,"y":2,"mode":"append"})");
     const auto& give = std::get<GiveOrder>(body);
     CHECK(give.group == GroupId{2});

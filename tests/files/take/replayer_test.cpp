@@ -56,11 +56,11 @@ Recording replayable() {
     Recording r;
     r.mark();
     r.submit(setting(0, 0, "character.maxSpeed", 0.7));
-    r.submit({0, 7, 1, TouchDown{1, {-3, 0}, 0.0, {}}});
+    r.submit({0, 7, 1, Touch{TouchPhase::Down, 1, {-3, 0}, 0.0, {}}});
     r.submit(setting(9, 2, "character.maxSpeed", 1.5));
     r.mark();
     r.step(5);
-    r.submit({5, 7, 3, TouchMove{1, {2, 1}, 5.0 / 60}});
+    r.submit({5, 7, 3, Touch{TouchPhase::Move, 1, {2, 1}, 5.0 / 60, {}}});
     r.step(7);
     r.mark();
     r.submit(setting(30, 4, "cost.gamma", 2.0));
@@ -185,7 +185,7 @@ TEST_CASE("a command that the world refuses ends the replay with its client and 
     CHECK(status.message().rfind("command of client 7 for step 2: ", 0) == 0);
     CHECK(compared == 3);
     Take malformed = r.take;
-    malformed.commands[1].body = TouchDown{1, {NAN, 0}, 0.0, {}};
+    malformed.commands[1].body = Touch{TouchPhase::Down, 1, {NAN, 0}, 0.0, {}};
     CHECK(replay(malformed, compared).message().rfind("command of client 7 for step 0: ", 0) == 0);
     CHECK(compared == 1);
 }

@@ -31,9 +31,10 @@ std::vector<Command> drag() {
         const auto step = static_cast<std::uint32_t>(time * 60.0 + 1e-6);
         commands.push_back({step, 1, static_cast<std::uint32_t>(commands.size()), std::move(body)});
     };
-    add(0.1, TouchDown{1, {-3.5, 0}, 0.1, {}});
-    for (int i = 1; i <= 20; ++i) add(0.1 + 0.1 * i, TouchMove{1, {-3.5 + 0.3 * i, 0.05 * i}, 0.1 + 0.1 * i});
-    add(2.3, TouchUp{1, 2.3});
+    add(0.1, Touch{TouchPhase::Down, 1, {-3.5, 0}, 0.1, {}});
+    for (int i = 1; i <= 20; ++i)
+        add(0.1 + 0.1 * i, Touch{TouchPhase::Move, 1, {-3.5 + 0.3 * i, 0.05 * i}, 0.1 + 0.1 * i, {}});
+    add(2.3, Touch{TouchPhase::Up, 1, {}, 2.3, {}});
     add(2.5,
         ChangeGroup{.group = GroupId{1}, .formation = FormationDef{FormationKind::Line, 1.0, 1.2, {}, {}}});
     return commands;
@@ -234,7 +235,8 @@ TEST_CASE("a killed process loses at most the record it was writing") {
         // Writes commands endlessly and prints after each how many are flushed.
         auto writer = TakeWriter::create(path, smallDef());
         for (std::uint32_t n = 0; writer.ok(); ++n) {
-            if (!writer->command({n, 1, n, TouchMove{1, {0.5, 0.25}, n / 60.0}}).ok()) break;
+            if (!writer->command({n, 1, n, Touch{TouchPhase::Move, 1, {0.5, 0.25}, n / 60.0, {}}}).ok())
+                break;
             const std::uint32_t safe = n + 1;
             if (write(pipes[1], &safe, sizeof(safe)) != sizeof(safe)) break;
         }

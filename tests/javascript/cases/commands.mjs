@@ -126,10 +126,7 @@ const checkpoint = {
 
 /** A body of each kind, in which every field differs from its default. */
 export const kBodies = {
-  TouchDown: { touch: 3, position: at(1.5, -2.5), time: 0.25, group: 9 },
-  TouchMove: { touch: 3, position: at(1.5, -2.5), time: 0.25 },
-  TouchUp: { touch: 3, time: 0.5 },
-  TouchCancel: { touch: 4 },
+  Touch: { phase: engine.TouchPhase.Down, touch: 3, position: at(1.5, -2.5), time: 0.25, group: 9 },
   AddControl: {
     group: 2,
     kind: engine.ControlKind.Line,
@@ -137,8 +134,7 @@ export const kBodies = {
     positions: [at(1, 2), at(3, 4)],
     time: 0.75,
   },
-  PinControl: { group: 2, control: 8, pinned: true },
-  RemoveControl: { group: 2, control: 8 },
+  EditControl: { group: 2, control: 8, edit: engine.ControlEdit.Release },
   ReleaseClient: {},
   ChangeGroup: {
     group: 2,
@@ -243,7 +239,7 @@ test('a thing of every kind arrives as it was put', async () => {
 
 test('numbers arrive where the engine looks for them: its own text of the commands says the same', async () => {
   const muster = await engine.loadMuster();
-  const commands = ['TouchDown', 'SetPose', 'ChangeGroup', 'SetParameter', 'GiveOrder', 'WriteMotion'].map(
+  const commands = ['Touch', 'SetPose', 'ChangeGroup', 'SetParameter', 'GiveOrder', 'WriteMotion'].map(
     (name, k) => ({
       kind: CommandKind[name],
       step: 60 * (k + 1),

@@ -104,7 +104,7 @@ test('controls are read while fingers are down', async () => {
     position: { x: finalMesh[0], y: finalMesh[1] },
     time: 0,
   };
-  world.submit({ kind: engine.CommandKind.TouchDown, client: 2, body: down });
+  world.submit({ kind: engine.CommandKind.Touch, client: 2, body: down });
   world.step(2);
   const [control] = world.groupControls(0);
   assert.deepEqual(

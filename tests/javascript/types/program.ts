@@ -33,7 +33,7 @@ const [x]: Float64Array = characters.position;
 const first: number | undefined = x;
 const hash: bigint = world.hash();
 const touch: CommandInit = {
-  kind: CommandKind.TouchDown,
+  kind: CommandKind.Touch,
   body: { touch: 1, position: { x: 1, y: 2 } },
 };
 world.submit(touch);
@@ -67,7 +67,7 @@ muster.World.create({ groups: [{ cuont: 3 }] });
 // @ts-expect-error: not a number
 muster.World.create({ groups: [{ count: '3' }] });
 // @ts-expect-error: the body of another kind
-world.submit({ kind: CommandKind.TouchUp, body: { position: { x: 1, y: 2 } } });
+world.submit({ kind: CommandKind.EditControl, body: { position: { x: 1, y: 2 } } });
 // @ts-expect-error: a point needs both numbers
 world.submit({ kind: CommandKind.SetPose, body: { position: { x: 1 } } });
 // @ts-expect-error: no kind of that number

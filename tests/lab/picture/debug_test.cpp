@@ -79,8 +79,8 @@ TEST_CASE("layers have names") {
 TEST_CASE("every layer draws something of its own, and SVG text is escaped") {
     auto world = World::create(pictureDef());
     REQUIRE(world.ok());
-    REQUIRE(world->submit({1, 1, 0, TouchDown{1, {-4, 0}, 0.0, {}}}).ok());
-    REQUIRE(world->submit({2, 1, 1, TouchMove{1, {0, 1}, 1.0}}).ok());
+    REQUIRE(world->submit({1, 1, 0, Touch{TouchPhase::Down, 1, {-4, 0}, 0.0, {}}}).ok());
+    REQUIRE(world->submit({2, 1, 1, Touch{TouchPhase::Move, 1, {0, 1}, 1.0, {}}}).ok());
     for (int i = 0; i < 10; ++i) world->step();
     const std::string path = temporary("muster_debug_test.svg");
     std::vector<std::string> pictures;

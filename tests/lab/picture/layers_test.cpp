@@ -212,10 +212,13 @@ TEST_CASE("paths: drawn trajectories, and the past paths of characters") {
     World world = sceneWorld();
     PictureDef def;
     CHECK(layerOf(world, "paths", def).empty());
-    REQUIRE(world.submit({world.stepCount(), 1, 0, TouchDown{1, {-6, 0}, world.time(), {}}}).ok());
+    REQUIRE(
+        world.submit({world.stepCount(), 1, 0, Touch{TouchPhase::Down, 1, {-6, 0}, world.time(), {}}}).ok());
     world.step();
     for (std::uint32_t k = 1; k <= 8; ++k) {
-        REQUIRE(world.submit({world.stepCount(), 1, k, TouchMove{1, {-6 + 0.5 * k, 0.2 * k}, world.time()}})
+        REQUIRE(world
+                    .submit({world.stepCount(), 1, k,
+                             Touch{TouchPhase::Move, 1, {-6 + 0.5 * k, 0.2 * k}, world.time(), {}}})
                     .ok());
         world.step();
     }

@@ -134,19 +134,19 @@ TEST_CASE("a contact leaves no gap") {
 
 TEST_CASE("a hand that draws aside") {
     std::vector<Command> commands(4);
-    commands[0].body = TouchDown{1, {0, 0}, 1.0, {}};
-    commands[1].body = TouchMove{1, {1, 0}, 1.0};
-    commands[2].body = TouchMove{1, {2, 0}, 2.0};
-    commands[3].body = TouchMove{1, {3, 0}, 9.0};
+    commands[0].body = Touch{TouchPhase::Down, 1, {0, 0}, 1.0, {}};
+    commands[1].body = Touch{TouchPhase::Move, 1, {1, 0}, 1.0, {}};
+    commands[2].body = Touch{TouchPhase::Move, 1, {2, 0}, 2.0, {}};
+    commands[3].body = Touch{TouchPhase::Move, 1, {3, 0}, 9.0, {}};
     const std::vector<Command> before = commands;
     jitterHand(commands, 7, 0.0);
     for (std::size_t k = 1; k < 4; ++k)
-        CHECK(std::get<TouchMove>(commands[k].body).position == std::get<TouchMove>(before[k].body).position);
+        CHECK(std::get<Touch>(commands[k].body).position == std::get<Touch>(before[k].body).position);
     jitterHand(commands, 7, 0.4);
     const auto shift = [&](std::size_t k) {
-        return std::get<TouchMove>(commands[k].body).position - std::get<TouchMove>(before[k].body).position;
+        return std::get<Touch>(commands[k].body).position - std::get<Touch>(before[k].body).position;
     };
-    CHECK(std::get<TouchDown>(commands[0].body).position == Vec2{0, 0});
+    CHECK(std::get<Touch>(commands[0].body).position == Vec2{0, 0});
     CHECK(shift(1) == Vec2{});
     CHECK(distance(shift(2) * 2.0, shift(3)) < 1e-12);
     CHECK(std::fabs(shift(3).x) <= 0.4);
@@ -154,5 +154,5 @@ TEST_CASE("a hand that draws aside") {
     CHECK(length(shift(3)) > 0.0);
     std::vector<Command> other = before;
     jitterHand(other, 8, 0.4);
-    CHECK(std::get<TouchMove>(other[3].body).position != std::get<TouchMove>(commands[3].body).position);
+    CHECK(std::get<Touch>(other[3].body).position != std::get<Touch>(commands[3].body).position);
 }

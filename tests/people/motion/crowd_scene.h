@@ -26,12 +26,14 @@ inline void carry(World& world, Vec2 from, Vec2 to) {
     };
     const std::uint32_t start = world.stepCount() + 60;
     const double dt = world.parameters().stepTime;
-    submit(TouchDown{1, from, start * dt, {}}, start);
+    submit(Touch{TouchPhase::Down, 1, from, start * dt, {}}, start);
     const int moves = static_cast<int>(distance(from, to) / 0.04);
     for (int k = 1; k <= moves; ++k)
-        submit(TouchMove{1, lerp(from, to, static_cast<double>(k) / moves), (start + k) * dt},
-               start + static_cast<std::uint32_t>(k));
-    submit(TouchUp{1, (start + moves + 10) * dt}, start + static_cast<std::uint32_t>(moves) + 10);
+        submit(
+            Touch{TouchPhase::Move, 1, lerp(from, to, static_cast<double>(k) / moves), (start + k) * dt, {}},
+            start + static_cast<std::uint32_t>(k));
+    submit(Touch{TouchPhase::Up, 1, {}, (start + moves + 10) * dt, {}},
+           start + static_cast<std::uint32_t>(moves) + 10);
 }
 
 /// Steps world and motion for some time [s], observed.

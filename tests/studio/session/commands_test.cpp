@@ -67,7 +67,7 @@ TEST_CASE("The commands that the page's tests read are what we write, of every k
 TEST_CASE("Bad commands are refused with a sentence that says which and why") {
     const std::vector<CommandBody> both{kHold, removeThing(ObstacleId{1})};
     CHECK(has(wrongWith(commandBytes(both)), "commands[1]: found a command of another kind"));
-    CHECK(has(wrongWith(commandBytes(TouchDown{})), "another kind"));
+    CHECK(has(wrongWith(commandBytes(Touch{})), "another kind"));
     CHECK(wrongWith({255}) == "commands[0]: command kind 255 is not known");
     auto bytes = commandBytes(kHold);
     bytes.pop_back();

@@ -94,8 +94,8 @@ TEST_CASE("People touch while a demonstration runs, as fingers of their own; the
     demonstrate(client);
     run(session, 1.0, {&client});
     // The demonstration uses the same finger number.
-    client.touchAt(protocol::TouchPhase::Down, {-11, 0}, 1.0, 1);
-    client.touchAt(protocol::TouchPhase::Move, {-11, 2}, 1.2, 1);
+    client.touchAt(TouchPhase::Down, {-11, 0}, 1.0, 1);
+    client.touchAt(TouchPhase::Move, {-11, 2}, 1.2, 1);
     run(session, 0.5, {&client});
     CHECK(fingersOf(client.frames.back(), client.id, client.id) == 1);
     CHECK(fingersOf(client.frames.back(), 1, kLastDemonstrator) >= 1);

@@ -99,10 +99,10 @@ TEST_CASE("A director who was given one group directs it and its parts, and noth
     run(session, 0.1, {&anna, &ben});
     CHECK(ben.noticed("Commands").find("group 1 is not yours") != std::string::npos);
     // A finger that names no group takes theirs, however near the other one is.
-    ben.touchAt(protocol::TouchPhase::Down, {-6, 0}, 0.1);
+    ben.touchAt(TouchPhase::Down, {-6, 0}, 0.1);
     run(session, 0.1, {&anna, &ben});
     CHECK(ben.frames.back().groups[0].controls.empty());
-    ben.touchAt(protocol::TouchPhase::Up, {-6, 0}, 0.2);
+    ben.touchAt(TouchPhase::Up, {-6, 0}, 0.2);
     anna.send(commandsOf(hold(1)));
     ben.send(commandsOf(R"([{"kind":"split","group":2,"by":"line","points":[[6,-9],[6,9]]}])"));
     run(session, 0.3, {&anna, &ben});
@@ -153,13 +153,13 @@ TEST_CASE("Who leaves with a finger down freezes nothing") {
     FakeClient ben(session, true, "Ben");
     (void)id;
     run(session, 0.1, {&anna, &ben});
-    ben.touchAt(protocol::TouchPhase::Down, {0, 0}, 0.1);
+    ben.touchAt(TouchPhase::Down, {0, 0}, 0.1);
     run(session, 0.2, {&anna, &ben});
     REQUIRE(anna.frames.back().groups[0].controls.size() == 1);
     session.disconnect(ben.id);
     run(session, 0.5, {&anna});
     CHECK(anna.frames.back().groups[0].controls.empty());
-    anna.touchAt(protocol::TouchPhase::Down, {0, 0}, 0.5);
+    anna.touchAt(TouchPhase::Down, {0, 0}, 0.5);
     run(session, 0.2, {&anna});
     CHECK(anna.frames.back().groups[0].controls.size() == 1);
 }

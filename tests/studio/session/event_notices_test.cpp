@@ -57,9 +57,9 @@ TEST_CASE("clients get each notice once, with the place") {
     FakeClient client(session);
     FakeClient other(session);
     run(session, 0.5, {&client, &other});
-    client.touchAt(protocol::TouchPhase::Down, {-6, 0}, 0.5);
+    client.touchAt(TouchPhase::Down, {-6, 0}, 0.5);
     run(session, 0.2, {&client, &other});
-    client.touchAt(protocol::TouchPhase::Move, {6, 0}, 0.7);
+    client.touchAt(TouchPhase::Move, {6, 0}, 0.7);
     run(session, 12.0, {&client, &other});
     for (const FakeClient* each : {&client, &other}) {
         CHECK(each->noticed("noPath") == "Blue: there is no way to any of the places.");

@@ -94,11 +94,10 @@ public:
     }
 
     /// Makes one touch event.
-    static protocol::TouchEvent touch(protocol::TouchPhase phase, Vec2 p, double time,
-                                      std::uint32_t finger = 1) {
+    static protocol::TouchEvent touch(TouchPhase phase, Vec2 p, double time, std::uint32_t finger = 1) {
         return {phase, finger, p.x, p.y, time, 0};
     }
-    void touchAt(protocol::TouchPhase phase, Vec2 p, double time, std::uint32_t finger = 1) {
+    void touchAt(TouchPhase phase, Vec2 p, double time, std::uint32_t finger = 1) {
         protocol::Touches touches;
         touches.events.push_back(touch(phase, p, time, finger));
         send(touches);

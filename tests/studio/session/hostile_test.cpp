@@ -14,14 +14,14 @@ namespace {
 // One well-formed message of each kind.
 std::vector<std::vector<std::uint8_t>> everyMessage() {
     protocol::Touches touches;
-    touches.events.push_back(FakeClient::touch(protocol::TouchPhase::Down, {0, 0}, 1.0));
-    touches.events.push_back(FakeClient::touch(protocol::TouchPhase::Move, {0.5, 0}, 1.1));
+    touches.events.push_back(FakeClient::touch(TouchPhase::Down, {0, 0}, 1.0));
+    touches.events.push_back(FakeClient::touch(TouchPhase::Move, {0.5, 0}, 1.1));
     const AddControl add{GroupId{1}, ControlKind::Line, {4, 5}, {{-1, 0}, {1, 0}}};
     return {protocol::encode(protocol::Hello{"again"}),
             protocol::encode(touches),
             protocol::encode(commandsOf(add)),
-            protocol::encode(commandsOf(PinControl{GroupId{1}, ControlId{1}, true})),
-            protocol::encode(commandsOf(RemoveControl{GroupId{1}, ControlId{1}})),
+            protocol::encode(commandsOf(EditControl{GroupId{1}, ControlId{1}, ControlEdit::Pin})),
+            protocol::encode(commandsOf(EditControl{GroupId{1}, ControlId{1}, ControlEdit::Remove})),
             protocol::encode(shaped(1, FormationKind::Wedge)),
             protocol::encode(commandsOf(ChangeGroup{.group = GroupId{1}, .count = 12})),
             protocol::encode(commandsOf(SetParameter{"plan.exponent", 1.5})),
@@ -124,7 +124,7 @@ TEST_CASE("Random bytes never break a session") {
 TEST_CASE("Numbers out of range are refused, and accepted at the limit") {
     Session session = startedSession();
     run(session, 0.1);
-    using protocol::TouchPhase;
+
     for (const auto& bad :
          {FakeClient::touch(TouchPhase::Down, {kNan, 0}, 1),
           FakeClient::touch(TouchPhase::Down, {0, 0}, kNan),
@@ -165,7 +165,7 @@ TEST_CASE("A client's first message must be a Hello") {
     Session session = startedSession();
     const std::uint64_t hash = session.world()->hash();
     FakeClient client(session, false);
-    client.touchAt(protocol::TouchPhase::Down, {0, 0}, 1.0);
+    client.touchAt(TouchPhase::Down, {0, 0}, 1.0);
     client.poll();
     CHECK(client.noticed("Touches").find("Hello") != std::string::npos);
     CHECK(client.frames.empty());
@@ -179,7 +179,7 @@ TEST_CASE("Events of one message: the limit is accepted, one more is refused") {
     FakeClient client(session);
     protocol::Touches touches;
     for (std::uint32_t i = 0; i < 10; ++i)
-        touches.events.push_back(FakeClient::touch(protocol::TouchPhase::Move, {0, 0}, 1.0, i));
+        touches.events.push_back(FakeClient::touch(TouchPhase::Move, {0, 0}, 1.0, i));
     client.send(touches);
     client.poll();
     CHECK(client.notices.empty());
@@ -201,8 +201,7 @@ TEST_CASE(
         if (paused) client.send(protocol::Playback{protocol::PlaybackAction::Pause});
         const auto refused = [&](std::uint32_t from, std::uint32_t to) {
             client.notices.clear();
-            for (std::uint32_t i = from; i < to; ++i)
-                client.touchAt(protocol::TouchPhase::Move, {0, 0}, 1.0, i);
+            for (std::uint32_t i = from; i < to; ++i) client.touchAt(TouchPhase::Move, {0, 0}, 1.0, i);
             client.poll();
             return client.noticed("Touches");
         };
@@ -221,12 +220,12 @@ TEST_CASE("A client that leaves while the command queue is full still lifts its 
     FakeClient watcher(session);
     FakeClient client(session);
     run(session, 0.1, {&watcher});
-    client.touchAt(protocol::TouchPhase::Down, {0.2, 0.0}, 1.0);
+    client.touchAt(TouchPhase::Down, {0.2, 0.0}, 1.0);
     run(session, 0.5, {&watcher, &client});
     REQUIRE(watcher.frames.back().groups[0].controls.size() == 1);
     REQUIRE(watcher.frames.back().groups[0].controls[0].points[0].down);
     watcher.send(protocol::Playback{protocol::PlaybackAction::Pause});
-    for (std::uint32_t i = 0; i < 30; ++i) watcher.touchAt(protocol::TouchPhase::Move, {0, 0}, 1.0, i);
+    for (std::uint32_t i = 0; i < 30; ++i) watcher.touchAt(TouchPhase::Move, {0, 0}, 1.0, i);
     session.disconnect(client.id);
     watcher.send(protocol::Playback{protocol::PlaybackAction::Play});
     run(session, 5.0, {&watcher});

@@ -271,8 +271,8 @@ TEST_CASE("a replay shows the recorded motion") {
     FakeClient client(session);
     attend(client, 0.0f, 0.0f, 16);
     run(session, 0.1, {&client});
-    client.touchAt(protocol::TouchPhase::Down, {0.0, 0.0}, 1.0);
-    client.touchAt(protocol::TouchPhase::Move, {4.0, 1.0}, 1.1);
+    client.touchAt(TouchPhase::Down, {0.0, 0.0}, 1.0);
+    client.touchAt(TouchPhase::Move, {4.0, 1.0}, 1.1);
     run(session, 1.5, {&client});
     const protocol::Frame seen = client.frames.back();
     const PageFrame seenPage = client.page;

@@ -21,7 +21,7 @@ std::vector<double> stepTimes(Session& session, FakeClient& client, double secon
         session.elapse(kPiece);
         if (now >= nextTouch) {
             at.x += 0.01;
-            client.touchAt(protocol::TouchPhase::Move, at, 100.0 + now);
+            client.touchAt(TouchPhase::Move, at, 100.0 + now);
             nextTouch += touchEvery;
         }
         if (!session.stepDue()) continue;
@@ -43,14 +43,14 @@ TEST_CASE("A touch is stepped at once, and the next step comes no earlier than i
     session.step();
     session.elapse(0.25 * kStep);
     CHECK_FALSE(session.stepDue());
-    client.touchAt(protocol::TouchPhase::Down, {1.0, 1.0}, 100.0);
+    client.touchAt(TouchPhase::Down, {1.0, 1.0}, 100.0);
     CHECK(session.untilNextStep() == 0.0);
     REQUIRE(session.stepDue());
     session.step();
     CHECK_FALSE(session.stepDue());
     CHECK(session.untilNextStep() == doctest::Approx(1.75 * kStep));
     // A second touch waits until the world is no longer ahead.
-    client.touchAt(protocol::TouchPhase::Move, {1.5, 1.0}, 100.01);
+    client.touchAt(TouchPhase::Move, {1.5, 1.0}, 100.01);
     CHECK(session.untilNextStep() == doctest::Approx(0.75 * kStep));
     session.elapse(0.76 * kStep);
     CHECK(session.stepDue());
@@ -61,7 +61,7 @@ TEST_CASE("Touches at any rate do not change the rate of steps") {
         Session session(sessionDef());
         REQUIRE(session.load("small", smallFloor()).ok());
         FakeClient client(session);
-        client.touchAt(protocol::TouchPhase::Down, {1.0, 1.0}, 100.0);
+        client.touchAt(TouchPhase::Down, {1.0, 1.0}, 100.0);
         const std::vector<double> times = stepTimes(session, client, 3.0, every);
         CHECK(times.size() >= 178);
         CHECK(times.size() <= 182);

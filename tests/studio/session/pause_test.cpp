@@ -24,9 +24,9 @@ TEST_CASE("Fingers set down seconds apart on a paused world make no line; set do
         FakeClient client(session);
         run(session, 0.2, {&client});
         client.send(protocol::Playback{protocol::PlaybackAction::Pause});
-        client.touchAt(protocol::TouchPhase::Down, {1, 1}, 100.0, 1);
+        client.touchAt(TouchPhase::Down, {1, 1}, 100.0, 1);
         run(session, later, {&client});
-        client.touchAt(protocol::TouchPhase::Down, {-1, -1}, 100.0 + later, 2);
+        client.touchAt(TouchPhase::Down, {-1, -1}, 100.0 + later, 2);
         client.send(protocol::Playback{protocol::PlaybackAction::Play});
         run(session, 0.1, {&client});
         const auto controls = session.world()->group(0).controls;

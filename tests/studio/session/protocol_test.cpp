@@ -88,7 +88,7 @@ TEST_CASE("Bytes on the wire are those the protocol promises") {
     // Written by hand from docs/protocol.md: number, then fields, little-endian.
     CHECK(hex(protocol::encode(protocol::Hello{"ab"})) == "00020000006162");
     protocol::Touches touches;
-    touches.events.push_back({protocol::TouchPhase::Up, 258, 1.0, -2.0, 0.5, 3});
+    touches.events.push_back({TouchPhase::Up, 258, 1.0, -2.0, 0.5, 3});
     CHECK(hex(protocol::encode(touches)) ==
           "01"
           "01000000"
@@ -99,7 +99,7 @@ TEST_CASE("Bytes on the wire are those the protocol promises") {
           "000000000000e03f"
           "03000000");
     // The length of the commands, the number of the kind, and its fields.
-    CHECK(hex(protocol::encode(commandsOf(PinControl{GroupId{1}, ControlId{2}, true}))) ==
+    CHECK(hex(protocol::encode(commandsOf(EditControl{GroupId{1}, ControlId{2}, ControlEdit::Pin}))) ==
           "07"
           "0a000000"
           "05"

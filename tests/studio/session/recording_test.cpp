@@ -35,16 +35,16 @@ private:
 
 // Steers for a while, partly between two steps and while paused.
 void steer(Session& session, FakeClient& client) {
-    client.touchAt(protocol::TouchPhase::Down, {0.2, 0.0}, 10.0);
+    client.touchAt(TouchPhase::Down, {0.2, 0.0}, 10.0);
     for (int i = 1; i <= 45; ++i) {
-        client.touchAt(protocol::TouchPhase::Move, {0.2 + 0.06 * i, 0.02 * i}, 10.0 + i / 60.0);
+        client.touchAt(TouchPhase::Move, {0.2 + 0.06 * i, 0.02 * i}, 10.0 + i / 60.0);
         run(session, 1.0 / 60.0, {&client});
     }
-    client.touchAt(protocol::TouchPhase::Up, {3, 1}, 10.8);
+    client.touchAt(TouchPhase::Up, {3, 1}, 10.8);
     client.send(shaped(1, FormationKind::Circle));
     run(session, 1.0, {&client});
     client.send(protocol::Playback{protocol::PlaybackAction::Pause});
-    client.touchAt(protocol::TouchPhase::Down, {3.0, 1.0}, 13.0, 2);
+    client.touchAt(TouchPhase::Down, {3.0, 1.0}, 13.0, 2);
 }
 
 }  // namespace
@@ -86,7 +86,7 @@ TEST_CASE("An opened take replays in the session, ends, and starts again") {
     CHECK(viewer.noticed("replay") == "");
 
     // Commands do not change a replay.
-    viewer.touchAt(protocol::TouchPhase::Down, {0, 0}, 1.0);
+    viewer.touchAt(TouchPhase::Down, {0, 0}, 1.0);
     viewer.poll();
     CHECK(viewer.noticed("Touches").find("replayed") != std::string::npos);
     CHECK(second.take().value() == bytes.value());
@@ -267,8 +267,8 @@ TEST_CASE("A log that reaches its limit ends, gives one notice, and still replay
     Session session = startedSession(def);
     FakeClient client(session);
     for (int i = 0; i < 300; ++i) {
-        client.touchAt(i % 50 == 0 ? protocol::TouchPhase::Down : protocol::TouchPhase::Move, {0.01 * i, 0.0},
-                       1.0 + i / 60.0, static_cast<std::uint32_t>(i / 50));
+        client.touchAt(i % 50 == 0 ? TouchPhase::Down : TouchPhase::Move, {0.01 * i, 0.0}, 1.0 + i / 60.0,
+                       static_cast<std::uint32_t>(i / 50));
         run(session, 1.0 / 60.0, {&client});
     }
     CHECK(std::count_if(client.notices.begin(), client.notices.end(),

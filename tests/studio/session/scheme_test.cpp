@@ -21,8 +21,7 @@ protocol::SetView topView() {
     return message;
 }
 
-protocol::RawInput pointer(protocol::TouchPhase phase, Vec2 ground, double time,
-                           protocol::PointerButton button,
+protocol::RawInput pointer(TouchPhase phase, Vec2 ground, double time, protocol::PointerButton button,
                            protocol::PointerDevice device = protocol::PointerDevice::Mouse) {
     return {.phase = phase,
             .device = device,
@@ -36,17 +35,17 @@ protocol::RawInput pointer(protocol::TouchPhase phase, Vec2 ground, double time,
 /// Presses at `from`, moves to `to` and lets go.
 void drag(Session& session, FakeClient& client, Vec2 from, Vec2 to, protocol::PointerButton button,
           protocol::PointerDevice device = protocol::PointerDevice::Mouse) {
-    protocol::Inputs inputs{.events = {pointer(protocol::TouchPhase::Down, from, 0.0, button, device)}};
+    protocol::Inputs inputs{.events = {pointer(TouchPhase::Down, from, 0.0, button, device)}};
     client.send(inputs);
     run(session, 0.1, {&client});
     constexpr int kMoves = 10;
     for (int i = 1; i <= kMoves; ++i) {
-        inputs.events = {pointer(protocol::TouchPhase::Move, from + (to - from) * (i / double(kMoves)),
-                                 0.1 + 0.05 * i, button, device)};
+        inputs.events = {pointer(TouchPhase::Move, from + (to - from) * (i / double(kMoves)), 0.1 + 0.05 * i,
+                                 button, device)};
         client.send(inputs);
         run(session, 0.05, {&client});
     }
-    inputs.events = {pointer(protocol::TouchPhase::Up, to, 0.7, button, device)};
+    inputs.events = {pointer(TouchPhase::Up, to, 0.7, button, device)};
     client.send(inputs);
     run(session, 0.1, {&client});
 }
@@ -134,8 +133,7 @@ TEST_CASE("A take of a session with a control scheme replays to the same hashes"
     watcher.send(protocol::SetSpeed{8.0f});
     run(other, 1.5, {&watcher});
     CHECK(watcher.noticed("replay-end").find("every hash matched") != std::string::npos);
-    protocol::Inputs inputs{
-        .events = {pointer(protocol::TouchPhase::Down, {}, 9.0, protocol::PointerButton::Left)}};
+    protocol::Inputs inputs{.events = {pointer(TouchPhase::Down, {}, 9.0, protocol::PointerButton::Left)}};
     watcher.send(inputs);
     watcher.poll();
     CHECK(watcher.noticed("Inputs").find("replayed") != std::string::npos);
@@ -144,8 +142,7 @@ TEST_CASE("A take of a session with a control scheme replays to the same hashes"
 TEST_CASE("Inputs that make no sense are refused with a sentence and change nothing") {
     Session session = startedSession();
     FakeClient client(session);
-    protocol::Inputs inputs{
-        .events = {pointer(protocol::TouchPhase::Down, {}, 0.0, protocol::PointerButton::Left)}};
+    protocol::Inputs inputs{.events = {pointer(TouchPhase::Down, {}, 0.0, protocol::PointerButton::Left)}};
     client.send(inputs);
     client.poll();
     CHECK(client.noticed("Inputs").find("choice of a control scheme") != std::string::npos);

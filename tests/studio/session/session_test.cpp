@@ -106,7 +106,7 @@ TEST_CASE("A touch reaches the next frame and steers the crowd") {
     FakeClient client(session);
     run(session, 0.2, {&client});
     const double page = 1.7e9;
-    client.touchAt(protocol::TouchPhase::Down, {0.1, 0.1}, page);
+    client.touchAt(TouchPhase::Down, {0.1, 0.1}, page);
     run(session, 1.0 / 60.0, {&client});
     REQUIRE(client.frames.back().groups[0].controls.size() == 1);
     const protocol::ControlFrame& control = client.frames.back().groups[0].controls[0];
@@ -115,10 +115,10 @@ TEST_CASE("A touch reaches the next frame and steers the crowd") {
     CHECK(client.frames.back().touchEcho == page);
     CHECK(session.world()->time() - session.world()->group(0).controls[0].startTime <= 0.05);
     for (int i = 1; i <= 60; ++i) {
-        client.touchAt(protocol::TouchPhase::Move, {0.1 + 0.05 * i, 0.1}, page + i / 60.0);
+        client.touchAt(TouchPhase::Move, {0.1 + 0.05 * i, 0.1}, page + i / 60.0);
         run(session, 1.0 / 60.0, {&client});
     }
-    client.touchAt(protocol::TouchPhase::Up, {3.1, 0.1}, page + 61 / 60.0);
+    client.touchAt(TouchPhase::Up, {3.1, 0.1}, page + 61 / 60.0);
     run(session, 6.0, {&client});
     double mean = 0.0;
     for (const double x : client.page.x) mean += x / 16.0;
@@ -186,7 +186,7 @@ TEST_CASE("Touches of a paused world apply in the next step") {
     Session session = startedSession();
     FakeClient client(session);
     client.send(protocol::Playback{protocol::PlaybackAction::Pause});
-    client.touchAt(protocol::TouchPhase::Down, {0, 0}, 100.0);
+    client.touchAt(TouchPhase::Down, {0, 0}, 100.0);
     run(session, 0.5, {&client});
     CHECK(session.world()->group(0).controls.empty());
     client.send(protocol::Playback{protocol::PlaybackAction::SingleStep});
@@ -223,13 +223,13 @@ TEST_CASE("A control added by one message, pinned, then removed") {
     const protocol::ControlFrame& made = client.frames.back().groups[0].controls[0];
     CHECK(made.kind == protocol::ControlKind::Line);
     const std::uint32_t id = made.id;
-    client.send(commandsOf(PinControl{GroupId{1}, ControlId{id}, true}));
+    client.send(commandsOf(EditControl{GroupId{1}, ControlId{id}, ControlEdit::Pin}));
     run(session, 0.1, {&client});
     CHECK(client.frames.back().groups[0].controls[0].pinned);
-    client.send(commandsOf(RemoveControl{GroupId{1}, ControlId{id}}));
+    client.send(commandsOf(EditControl{GroupId{1}, ControlId{id}, ControlEdit::Remove}));
     run(session, 0.1, {&client});
     CHECK(client.frames.back().groups[0].controls.empty());
-    client.send(commandsOf(RemoveControl{GroupId{1}, ControlId{id}}));
+    client.send(commandsOf(EditControl{GroupId{1}, ControlId{id}, ControlEdit::Remove}));
     run(session, 0.1, {&client});
     CHECK(client.noticed("rejected").find("control") != std::string::npos);
     CHECK(!client.notices.back().hasPlace);
@@ -240,7 +240,7 @@ TEST_CASE("A notice says where a finger or a control was refused") {
     REQUIRE(session.load("small", smallFloor()).ok());
     FakeClient client(session);
     run(session, 0.1, {&client});
-    client.touchAt(protocol::TouchPhase::Down, {7.5, -6.0}, 1.0, 1);
+    client.touchAt(TouchPhase::Down, {7.5, -6.0}, 1.0, 1);
     run(session, 0.1, {&client});
     REQUIRE(client.noticed("rejected").find("no formation") != std::string::npos);
     CHECK(client.notices.back().hasPlace);
@@ -305,7 +305,7 @@ TEST_CASE("Overlays: the field, one character's cost, density; at most five a se
 TEST_CASE("A client that leaves lifts its fingers, and the log records it") {
     Session session = startedSession();
     auto client = std::make_unique<FakeClient>(session);
-    client->touchAt(protocol::TouchPhase::Down, {0, 0}, 1.0);
+    client->touchAt(TouchPhase::Down, {0, 0}, 1.0);
     run(session, 0.2, {client.get()});
     REQUIRE(session.world()->group(0).controls.size() == 1);
     session.disconnect(client->id);

@@ -31,7 +31,7 @@ Recorded recordDrag(double seconds) {
     const int pictures = static_cast<int>(seconds * 60.0);
     for (int i = 0; i < pictures; ++i) {
         const Vec2 at{-20.0 + i / 30.0, 0.0};
-        client.touchAt(i == 0 ? protocol::TouchPhase::Down : protocol::TouchPhase::Move, at, 10.0 + i / 60.0);
+        client.touchAt(i == 0 ? TouchPhase::Down : TouchPhase::Move, at, 10.0 + i / 60.0);
         run(session, 1.0 / 60.0, {&client});
         const auto now = session.world()->characters().position;
         made.positions[session.world()->stepCount()] = {now.begin(), now.end()};

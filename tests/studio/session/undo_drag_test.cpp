@@ -11,14 +11,14 @@ namespace {
 struct DragDesk : UndoDesk {
     double time = 1.0;
 
-    void finger(protocol::TouchPhase phase, Vec2 at, std::uint32_t touch = 1) {
+    void finger(TouchPhase phase, Vec2 at, std::uint32_t touch = 1) {
         client.touchAt(phase, at, time += 0.05, touch);
         settle(0.05);
     }
     void drag(Vec2 from, Vec2 to, double seconds = 5.0) {
-        finger(protocol::TouchPhase::Down, from);
-        for (int k = 1; k <= 5; ++k) finger(protocol::TouchPhase::Move, from + (to - from) * (0.2 * k));
-        finger(protocol::TouchPhase::Up, to);
+        finger(TouchPhase::Down, from);
+        for (int k = 1; k <= 5; ++k) finger(TouchPhase::Move, from + (to - from) * (0.2 * k));
+        finger(TouchPhase::Up, to);
         settle(seconds);
     }
     Vec2 pose(std::size_t g = 0) const { return group(g).pose.position; }
@@ -49,7 +49,7 @@ struct SchemeDesk : DragDesk {
         client.send(protocol::SetScheme{"touch"});
         settle();
     }
-    void pointer(protocol::TouchPhase phase, Vec2 at, std::uint32_t number = 1) {
+    void pointer(TouchPhase phase, Vec2 at, std::uint32_t number = 1) {
         protocol::RawInput input{.phase = phase,
                                  .device = protocol::PointerDevice::Touch,
                                  .button = protocol::PointerButton::Left,
@@ -91,15 +91,15 @@ TEST_CASE("a drag is one step, and the crowd walks back to where it was to stand
 
 TEST_CASE("all fingers of a gesture are one step, which the last that lifts ends") {
     DragDesk desk;
-    desk.finger(protocol::TouchPhase::Down, {-1.4, -1.4}, 1);
-    desk.finger(protocol::TouchPhase::Down, {-1.4, 1.4}, 2);
+    desk.finger(TouchPhase::Down, {-1.4, -1.4}, 1);
+    desk.finger(TouchPhase::Down, {-1.4, 1.4}, 2);
     for (int k = 1; k <= 4; ++k) {
-        desk.finger(protocol::TouchPhase::Move, {-1.4 + k, -1.4}, 1);
-        desk.finger(protocol::TouchPhase::Move, {-1.4 + k, 1.4 + 0.2 * k}, 2);
+        desk.finger(TouchPhase::Move, {-1.4 + k, -1.4}, 1);
+        desk.finger(TouchPhase::Move, {-1.4 + k, 1.4 + 0.2 * k}, 2);
     }
-    desk.finger(protocol::TouchPhase::Up, {}, 1);
+    desk.finger(TouchPhase::Up, {}, 1);
     CHECK(desk.history().undo == 0);
-    desk.finger(protocol::TouchPhase::Up, {}, 2);
+    desk.finger(TouchPhase::Up, {}, 2);
     CHECK(desk.history().undo == 1);
     desk.settle(4.0);
     CHECK(desk.pose().x > 2.0);
@@ -112,8 +112,8 @@ TEST_CASE("a control that is made at once is dragged like fingers") {
     DragDesk desk;
     desk.client.send(commandsOf(AddControl{GroupId{1}, ControlKind::Point, {7}, {{0, 0}}, desk.time}));
     desk.settle(0.05);
-    desk.finger(protocol::TouchPhase::Move, {0, -5}, 7);
-    desk.finger(protocol::TouchPhase::Up, {0, -5}, 7);
+    desk.finger(TouchPhase::Move, {0, -5}, 7);
+    desk.finger(TouchPhase::Up, {0, -5}, 7);
     desk.settle(4.0);
     CHECK(desk.pose().y < -4.0);
     CHECK(desk.history().undoLabel == "Drag");
@@ -137,15 +137,15 @@ TEST_CASE("a drag from the way of an order is not taken back while the order goe
 
 TEST_CASE("the end of a pinned control leaves a drag that can be taken back") {
     DragDesk desk;
-    desk.finger(protocol::TouchPhase::Down, {0, 0});
-    desk.finger(protocol::TouchPhase::Move, {4, 0});
-    desk.finger(protocol::TouchPhase::Move, {4, 0.1});
+    desk.finger(TouchPhase::Down, {0, 0});
+    desk.finger(TouchPhase::Move, {4, 0});
+    desk.finger(TouchPhase::Move, {4, 0.1});
     REQUIRE(desk.group().controls.size() == 1);
     const std::uint32_t control = desk.group().controls[0].id.value;
-    desk.client.send(commandsOf(PinControl{GroupId{1}, ControlId{control}, true}));
-    desk.finger(protocol::TouchPhase::Up, {4, 0});
+    desk.client.send(commandsOf(EditControl{GroupId{1}, ControlId{control}, ControlEdit::Pin}));
+    desk.finger(TouchPhase::Up, {4, 0});
     desk.settle(4.0);
-    desk.client.send(commandsOf(RemoveControl{GroupId{1}, ControlId{control}}));
+    desk.client.send(commandsOf(EditControl{GroupId{1}, ControlId{control}, ControlEdit::Remove}));
     desk.settle(0.5);
     CHECK(desk.group().controls.empty());
     CHECK(desk.pose().x > 3.0);
@@ -158,10 +158,10 @@ TEST_CASE("a drag waits in a paused world and counts at once") {
     DragDesk desk;
     desk.client.send(protocol::Playback{protocol::PlaybackAction::Pause});
     desk.settle();
-    desk.finger(protocol::TouchPhase::Down, {0, 0});
-    desk.finger(protocol::TouchPhase::Move, {5, 0});
+    desk.finger(TouchPhase::Down, {0, 0});
+    desk.finger(TouchPhase::Move, {5, 0});
     CHECK(desk.history().undo == 0);
-    desk.finger(protocol::TouchPhase::Up, {5, 0});
+    desk.finger(TouchPhase::Up, {5, 0});
     CHECK(desk.history().undo == 1);
     CHECK(desk.history().undoLabel == "Drag");
     desk.client.send(protocol::Playback{protocol::PlaybackAction::Play});
@@ -176,7 +176,7 @@ TEST_CASE("fingers of another who holds the group keep it") {
     FakeClient other(desk.session, true, "other");
     desk.drag({0, 0}, {5, 0});
     const Vec2 dragged = desk.pose();
-    other.touchAt(protocol::TouchPhase::Down, dragged, 9.0);
+    other.touchAt(TouchPhase::Down, dragged, 9.0);
     desk.settle(0.1);
     REQUIRE(desk.group().controls.size() == 1);
     desk.undo();
@@ -190,9 +190,9 @@ TEST_CASE("a hand that stops a march and drags it takes both back at once") {
     desk.settle(1.0);
     const Vec2 from = desk.pose();
     REQUIRE(desk.targets() == std::vector{20.0});
-    desk.pointer(protocol::TouchPhase::Down, from);
-    for (int k = 1; k <= 6; ++k) desk.pointer(protocol::TouchPhase::Move, from + Vec2{0, 0.8 * k});
-    desk.pointer(protocol::TouchPhase::Up, from + Vec2{0, 5});
+    desk.pointer(TouchPhase::Down, from);
+    for (int k = 1; k <= 6; ++k) desk.pointer(TouchPhase::Move, from + Vec2{0, 0.8 * k});
+    desk.pointer(TouchPhase::Up, from + Vec2{0, 5});
     desk.settle(3.0);
     CHECK(desk.targets().empty());
     CHECK(desk.pose().y > 2.0);
@@ -213,14 +213,14 @@ TEST_CASE("a formation that fingers spread is taken back with the drag") {
     SchemeDesk desk;
     const auto files = [&] { return inspect::ownFormation(desk.world(), 0).files; };
     REQUIRE(files() == 0);
-    desk.pointer(protocol::TouchPhase::Down, {1.5, -1.5}, 1);
-    desk.pointer(protocol::TouchPhase::Down, {1.5, 1.5}, 2);
+    desk.pointer(TouchPhase::Down, {1.5, -1.5}, 1);
+    desk.pointer(TouchPhase::Down, {1.5, 1.5}, 2);
     for (int k = 1; k <= 20; ++k) {
-        desk.pointer(protocol::TouchPhase::Move, {1.5, -1.5 - 0.1 * k}, 1);
-        desk.pointer(protocol::TouchPhase::Move, {1.5, 1.5 + 0.1 * k}, 2);
+        desk.pointer(TouchPhase::Move, {1.5, -1.5 - 0.1 * k}, 1);
+        desk.pointer(TouchPhase::Move, {1.5, 1.5 + 0.1 * k}, 2);
     }
-    desk.pointer(protocol::TouchPhase::Up, {1.5, -3.5}, 1);
-    desk.pointer(protocol::TouchPhase::Up, {1.5, 3.5}, 2);
+    desk.pointer(TouchPhase::Up, {1.5, -3.5}, 1);
+    desk.pointer(TouchPhase::Up, {1.5, 3.5}, 2);
     desk.settle(2.0);
     CHECK(files() > 4);
     CHECK(desk.history().undo == 1);

@@ -252,11 +252,11 @@ struct TwoDirectors : UndoDesk {
         const Vec2 at = group(draw(world().groupCount())).pose.position;
         const Vec2 to = at + Vec2{0.5 + 0.1 * draw(5), 0.5};
         const double now = world().time();
-        who.touchAt(protocol::TouchPhase::Down, at, now);
+        who.touchAt(TouchPhase::Down, at, now);
         both(0.05);
-        who.touchAt(protocol::TouchPhase::Move, to, now + 0.05);
+        who.touchAt(TouchPhase::Move, to, now + 0.05);
         both(0.05);
-        who.touchAt(protocol::TouchPhase::Up, to, now + 0.1);
+        who.touchAt(TouchPhase::Up, to, now + 0.1);
         const auto follows = [&] {
             for (std::size_t g = 0; g < world().groupCount(); ++g)
                 if (!group(g).controls.empty()) return true;

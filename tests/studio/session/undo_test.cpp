@@ -253,9 +253,9 @@ TEST_CASE("what is refused, and what fingers do, is no step") {
     UndoDesk desk;
     desk.act(R"({"kind":"queue","group":1,"edit":"cancel","order":77})");
     desk.act(R"({"kind":"formation","group":9,"formation":"ring"})");
-    desk.client.touchAt(protocol::TouchPhase::Down, {0, 0}, 1.0);
+    desk.client.touchAt(TouchPhase::Down, {0, 0}, 1.0);
     desk.settle();
-    desk.client.touchAt(protocol::TouchPhase::Up, {0, 0}, 1.2);
+    desk.client.touchAt(TouchPhase::Up, {0, 0}, 1.2);
     desk.settle();
     CHECK(desk.history().undo == 0);
     desk.undo();
@@ -276,10 +276,11 @@ TEST_CASE("orders for several groups in one message are one step") {
 
 TEST_CASE("a pin is taken back") {
     UndoDesk desk;
-    desk.client.touchAt(protocol::TouchPhase::Down, {0, 0}, 1.0);
+    desk.client.touchAt(TouchPhase::Down, {0, 0}, 1.0);
     desk.settle();
     REQUIRE(desk.group().controls.size() == 1);
-    desk.client.send(commandsOf(PinControl{GroupId{1}, ControlId{desk.group().controls[0].id.value}, true}));
+    desk.client.send(
+        commandsOf(EditControl{GroupId{1}, ControlId{desk.group().controls[0].id.value}, ControlEdit::Pin}));
     desk.settle();
     CHECK(desk.history().undoLabel == "Pin");
     CHECK(desk.group().controls[0].pinned);

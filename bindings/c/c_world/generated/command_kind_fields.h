@@ -12,26 +12,12 @@
 namespace muster::c_api {
 
 template <class M>
-void fields(M& m, C<M, MusterTouchDown>& c, P<M, TouchDown>& p) {
+void fields(M& m, C<M, MusterTouch>& c, P<M, Touch>& p) {
+    m.choice(c.phase, p.phase, kLastOf<TouchPhase>, "phase");
     m.plain(c.touch, p.touch);
     m.plain(c.position, p.position);
     m.plain(c.time, p.time);
     m.id(c.group, p.group);
-}
-template <class M>
-void fields(M& m, C<M, MusterTouchMove>& c, P<M, TouchMove>& p) {
-    m.plain(c.touch, p.touch);
-    m.plain(c.position, p.position);
-    m.plain(c.time, p.time);
-}
-template <class M>
-void fields(M& m, C<M, MusterTouchUp>& c, P<M, TouchUp>& p) {
-    m.plain(c.touch, p.touch);
-    m.plain(c.time, p.time);
-}
-template <class M>
-void fields(M& m, C<M, MusterTouchCancel>& c, P<M, TouchCancel>& p) {
-    m.plain(c.touch, p.touch);
 }
 template <class M>
 void fields(M& m, C<M, MusterAddControl>& c, P<M, AddControl>& p) {
@@ -42,15 +28,10 @@ void fields(M& m, C<M, MusterAddControl>& c, P<M, AddControl>& p) {
     m.plain(c.time, p.time);
 }
 template <class M>
-void fields(M& m, C<M, MusterPinControl>& c, P<M, PinControl>& p) {
+void fields(M& m, C<M, MusterEditControl>& c, P<M, EditControl>& p) {
     m.id(c.group, p.group);
     m.id(c.control, p.control);
-    m.plain(c.pinned, p.pinned);
-}
-template <class M>
-void fields(M& m, C<M, MusterRemoveControl>& c, P<M, RemoveControl>& p) {
-    m.id(c.group, p.group);
-    m.id(c.control, p.control);
+    m.choice(c.edit, p.edit, kLastOf<ControlEdit>, "edit");
 }
 template <class M>
 void fields(M& m, C<M, MusterReleaseClient>& c, P<M, ReleaseClient>& p) {
@@ -163,13 +144,9 @@ void fields(M& m, C<M, MusterReverseQueue>& c, P<M, ReverseQueue>& p) {
 /// The members of the C union, in the order of the engine's alternatives.
 // clang-format off
 inline constexpr std::tuple kCommandMembers{
-    &MusterCommandBody::touchDown,
-    &MusterCommandBody::touchMove,
-    &MusterCommandBody::touchUp,
-    &MusterCommandBody::touchCancel,
+    &MusterCommandBody::touch,
     &MusterCommandBody::addControl,
-    &MusterCommandBody::pinControl,
-    &MusterCommandBody::removeControl,
+    &MusterCommandBody::editControl,
     &MusterCommandBody::releaseClient,
     &MusterCommandBody::changeGroup,
     &MusterCommandBody::setPose,

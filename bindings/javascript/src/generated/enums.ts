@@ -261,6 +261,30 @@ export const Turn = {
 } as const;
 export type Turn = (typeof Turn)[keyof typeof Turn];
 
+/** What a finger or a pointer does. */
+export const TouchPhase = {
+  /** It comes down. */
+  Down: 0,
+  /** It moves. */
+  Move: 1,
+  /** It lifts. */
+  Up: 2,
+  /** It is lost: its control ends at once. */
+  Cancel: 3,
+} as const;
+export type TouchPhase = (typeof TouchPhase)[keyof typeof TouchPhase];
+
+/** Changes of a control. */
+export const ControlEdit = {
+  /** It stays at the end of its trajectory. */
+  Pin: 0,
+  /** It is no longer pinned. */
+  Release: 1,
+  /** It ends at once. */
+  Remove: 2,
+} as const;
+export type ControlEdit = (typeof ControlEdit)[keyof typeof ControlEdit];
+
 /** Where a new order stands in a queue. */
 export const QueueMode = {
   /** It takes the place of all others. */
@@ -407,56 +431,48 @@ export type OrderId = number;
 
 /** Kinds of commands. */
 export const CommandKind = {
-  /** Its body is `touchDown`. */
-  TouchDown: 0,
-  /** Its body is `touchMove`. */
-  TouchMove: 1,
-  /** Its body is `touchUp`. */
-  TouchUp: 2,
-  /** Its body is `touchCancel`. */
-  TouchCancel: 3,
+  /** Its body is `touch`. */
+  Touch: 0,
   /** Its body is `addControl`. */
-  AddControl: 4,
-  /** Its body is `pinControl`. */
-  PinControl: 5,
-  /** Its body is `removeControl`. */
-  RemoveControl: 6,
+  AddControl: 1,
+  /** Its body is `editControl`. */
+  EditControl: 2,
   /** Its body is `releaseClient`. */
-  ReleaseClient: 7,
+  ReleaseClient: 3,
   /** Its body is `changeGroup`. */
-  ChangeGroup: 8,
+  ChangeGroup: 4,
   /** Its body is `setPose`. */
-  SetPose: 9,
+  SetPose: 5,
   /** Its body is `addGroup`. */
-  AddGroup: 10,
+  AddGroup: 6,
   /** Its body is `removeGroup`. */
-  RemoveGroup: 11,
+  RemoveGroup: 7,
   /** Its body is `putThing`. */
-  PutThing: 12,
+  PutThing: 8,
   /** Its body is `removeThing`. */
-  RemoveThing: 13,
+  RemoveThing: 9,
   /** Its body is `setParameter`. */
-  SetParameter: 14,
+  SetParameter: 10,
   /** Its body is `giveOrder`. */
-  GiveOrder: 15,
+  GiveOrder: 11,
   /** Its body is `editQueue`. */
-  EditQueue: 16,
+  EditQueue: 12,
   /** Its body is `addCharacters`. */
-  AddCharacters: 17,
+  AddCharacters: 13,
   /** Its body is `transferCharacters`. */
-  TransferCharacters: 18,
+  TransferCharacters: 14,
   /** Its body is `splitGroup`. */
-  SplitGroup: 19,
+  SplitGroup: 15,
   /** Its body is `mergeGroups`. */
-  MergeGroups: 20,
+  MergeGroups: 16,
   /** Its body is `changeCharacters`. */
-  ChangeCharacters: 21,
+  ChangeCharacters: 17,
   /** Its body is `writeMotion`. */
-  WriteMotion: 22,
+  WriteMotion: 18,
   /** Its body is `reverseQueue`. */
-  ReverseQueue: 23,
+  ReverseQueue: 19,
   /** Number of kinds. */
-  Count: 24,
+  Count: 20,
 } as const;
 export type CommandKind = (typeof CommandKind)[keyof typeof CommandKind];
 

@@ -2,7 +2,7 @@
 
 import type { ReadOut } from '../binding/read_out.js';
 import type { Rows } from '../binding/rows.js';
-import type { Status, FormationKind, BodyBuild, MotionSet, ControlKind, AreaKind, ThingKind, CheckpointTrigger, Spread, RoleArea, Driver, SplitBy, PartShape, OrderKind, ExitChoice, Manner, Turn, QueueMode, QueueEdit, Stance, EventKind, MotionIndex, ObstacleId, PatchId, GroupId, AreaId, ControlId, CharacterId, OrderId, Limb } from './enums.js';
+import type { Status, FormationKind, BodyBuild, MotionSet, ControlKind, AreaKind, ThingKind, CheckpointTrigger, Spread, RoleArea, Driver, SplitBy, PartShape, OrderKind, ExitChoice, Manner, Turn, TouchPhase, ControlEdit, QueueMode, QueueEdit, Stance, EventKind, MotionIndex, ObstacleId, PatchId, GroupId, AreaId, ControlId, CharacterId, OrderId, Limb } from './enums.js';
 
 /** A point or vector in the ground plane: x right, y forward [m]. */
 export interface Vec2 {
@@ -930,76 +930,35 @@ export interface ParameterInfo {
   readonly description: string;
 }
 
-/** A finger touches down. It edits the group whose mesh is nearest within `input.reach`, or `group` if given. */
-export interface TouchDown {
+/**
+ * A finger touches down, moves or lifts, or its control ends at once. One that comes down edits the group whose
+ * mesh is nearest within `input.reach`, or `group` if given; when it has lifted, its trajectory is still followed.
+ */
+export interface Touch {
+  /** What it does. */
+  phase: TouchPhase;
   /** Number of the finger, unique per client while it is down. */
   touch: number;
-  /** Position in the world [m]. */
+  /** For Down and Move: position in the world [m]. */
   position: Vec2;
-  /** World time stamp [s]. */
+  /** World time stamp [s]; not read for Cancel. */
   time: number;
-  /** Group to edit; 0 to pick it by position. */
+  /** For Down: group to edit; 0 to pick it by position. */
   group: GroupId;
 }
 
-/** What may be given of TouchDown. */
-export interface TouchDownInit {
+/** What may be given of Touch. */
+export interface TouchInit {
+  /** What it does. */
+  readonly phase?: TouchPhase | undefined;
   /** Number of the finger, unique per client while it is down. */
   readonly touch?: number | undefined;
-  /** Position in the world [m]. */
+  /** For Down and Move: position in the world [m]. */
   readonly position?: Vec2 | undefined;
-  /** World time stamp [s]. */
+  /** World time stamp [s]; not read for Cancel. */
   readonly time?: number | undefined;
-  /** Group to edit; 0 to pick it by position. */
+  /** For Down: group to edit; 0 to pick it by position. */
   readonly group?: GroupId | undefined;
-}
-
-/** A finger moves. */
-export interface TouchMove {
-  /** Number of the finger. */
-  touch: number;
-  /** Position in the world [m]. */
-  position: Vec2;
-  /** World time stamp [s]. */
-  time: number;
-}
-
-/** What may be given of TouchMove. */
-export interface TouchMoveInit {
-  /** Number of the finger. */
-  readonly touch?: number | undefined;
-  /** Position in the world [m]. */
-  readonly position?: Vec2 | undefined;
-  /** World time stamp [s]. */
-  readonly time?: number | undefined;
-}
-
-/** A finger lifts; its trajectory is still followed. */
-export interface TouchUp {
-  /** Number of the finger. */
-  touch: number;
-  /** World time stamp [s]. */
-  time: number;
-}
-
-/** What may be given of TouchUp. */
-export interface TouchUpInit {
-  /** Number of the finger. */
-  readonly touch?: number | undefined;
-  /** World time stamp [s]. */
-  readonly time?: number | undefined;
-}
-
-/** The control of a finger ends at once. */
-export interface TouchCancel {
-  /** Number of the finger. */
-  touch: number;
-}
-
-/** What may be given of TouchCancel. */
-export interface TouchCancelInit {
-  /** Number of the finger. */
-  readonly touch?: number | undefined;
 }
 
 /**
@@ -1033,40 +992,24 @@ export interface AddControlInit {
   readonly time?: number | undefined;
 }
 
-/** Pins a control at the end of its trajectory, or releases it. */
-export interface PinControl {
+/** Pins a control at the end of its trajectory, releases it, or ends it at once. */
+export interface EditControl {
   /** Group that the control belongs to. */
   group: GroupId;
   /** Its id. */
   control: ControlId;
-  /** False to release it. */
-  pinned: boolean;
+  /** What is done to it. */
+  edit: ControlEdit;
 }
 
-/** What may be given of PinControl. */
-export interface PinControlInit {
+/** What may be given of EditControl. */
+export interface EditControlInit {
   /** Group that the control belongs to. */
   readonly group?: GroupId | undefined;
   /** Its id. */
   readonly control?: ControlId | undefined;
-  /** False to release it. */
-  readonly pinned?: boolean | undefined;
-}
-
-/** Ends a control at once. */
-export interface RemoveControl {
-  /** Group that the control belongs to. */
-  group: GroupId;
-  /** Its id. */
-  control: ControlId;
-}
-
-/** What may be given of RemoveControl. */
-export interface RemoveControlInit {
-  /** Group that the control belongs to. */
-  readonly group?: GroupId | undefined;
-  /** Its id. */
-  readonly control?: ControlId | undefined;
+  /** What is done to it. */
+  readonly edit?: ControlEdit | undefined;
 }
 
 /** A client has disconnected: all its fingers lift. */
@@ -1468,54 +1411,46 @@ export interface ReverseQueueInit {
 
 /** The body of each kind. */
 export interface CommandBodies {
-  /** TouchDown */
-  0: TouchDown;
-  /** TouchMove */
-  1: TouchMove;
-  /** TouchUp */
-  2: TouchUp;
-  /** TouchCancel */
-  3: TouchCancel;
+  /** Touch */
+  0: Touch;
   /** AddControl */
-  4: AddControl;
-  /** PinControl */
-  5: PinControl;
-  /** RemoveControl */
-  6: RemoveControl;
+  1: AddControl;
+  /** EditControl */
+  2: EditControl;
   /** ReleaseClient */
-  7: ReleaseClient;
+  3: ReleaseClient;
   /** ChangeGroup */
-  8: ChangeGroup;
+  4: ChangeGroup;
   /** SetPose */
-  9: SetPose;
+  5: SetPose;
   /** AddGroup */
-  10: AddGroup;
+  6: AddGroup;
   /** RemoveGroup */
-  11: RemoveGroup;
+  7: RemoveGroup;
   /** PutThing */
-  12: PutThing;
+  8: PutThing;
   /** RemoveThing */
-  13: RemoveThing;
+  9: RemoveThing;
   /** SetParameter */
-  14: SetParameter;
+  10: SetParameter;
   /** GiveOrder */
-  15: GiveOrder;
+  11: GiveOrder;
   /** EditQueue */
-  16: EditQueue;
+  12: EditQueue;
   /** AddCharacters */
-  17: AddCharacters;
+  13: AddCharacters;
   /** TransferCharacters */
-  18: TransferCharacters;
+  14: TransferCharacters;
   /** SplitGroup */
-  19: SplitGroup;
+  15: SplitGroup;
   /** MergeGroups */
-  20: MergeGroups;
+  16: MergeGroups;
   /** ChangeCharacters */
-  21: ChangeCharacters;
+  17: ChangeCharacters;
   /** WriteMotion */
-  22: WriteMotion;
+  18: WriteMotion;
   /** ReverseQueue */
-  23: ReverseQueue;
+  19: ReverseQueue;
 }
 
 /**
@@ -1542,54 +1477,46 @@ export type Command = {
 
 /** What may be given of the body of each kind. */
 export interface CommandBodiesInit {
-  /** TouchDown */
-  0: TouchDownInit;
-  /** TouchMove */
-  1: TouchMoveInit;
-  /** TouchUp */
-  2: TouchUpInit;
-  /** TouchCancel */
-  3: TouchCancelInit;
+  /** Touch */
+  0: TouchInit;
   /** AddControl */
-  4: AddControlInit;
-  /** PinControl */
-  5: PinControlInit;
-  /** RemoveControl */
-  6: RemoveControlInit;
+  1: AddControlInit;
+  /** EditControl */
+  2: EditControlInit;
   /** ReleaseClient */
-  7: ReleaseClientInit;
+  3: ReleaseClientInit;
   /** ChangeGroup */
-  8: ChangeGroupInit;
+  4: ChangeGroupInit;
   /** SetPose */
-  9: SetPoseInit;
+  5: SetPoseInit;
   /** AddGroup */
-  10: AddGroupInit;
+  6: AddGroupInit;
   /** RemoveGroup */
-  11: RemoveGroupInit;
+  7: RemoveGroupInit;
   /** PutThing */
-  12: PutThingInit;
+  8: PutThingInit;
   /** RemoveThing */
-  13: RemoveThingInit;
+  9: RemoveThingInit;
   /** SetParameter */
-  14: SetParameterInit;
+  10: SetParameterInit;
   /** GiveOrder */
-  15: GiveOrderInit;
+  11: GiveOrderInit;
   /** EditQueue */
-  16: EditQueueInit;
+  12: EditQueueInit;
   /** AddCharacters */
-  17: AddCharactersInit;
+  13: AddCharactersInit;
   /** TransferCharacters */
-  18: TransferCharactersInit;
+  14: TransferCharactersInit;
   /** SplitGroup */
-  19: SplitGroupInit;
+  15: SplitGroupInit;
   /** MergeGroups */
-  20: MergeGroupsInit;
+  16: MergeGroupsInit;
   /** ChangeCharacters */
-  21: ChangeCharactersInit;
+  17: ChangeCharactersInit;
   /** WriteMotion */
-  22: WriteMotionInit;
+  18: WriteMotionInit;
   /** ReverseQueue */
-  23: ReverseQueueInit;
+  19: ReverseQueueInit;
 }
 
 /**

@@ -732,7 +732,7 @@ export class MusterFunctions extends Caller {
     return this.call_('muster_default_command', kind) as Command;
   }
 
-  /** The kind as a word, for logs: "TouchDown". Null for other numbers. */
+  /** The kind as a word, for logs: "Touch". Null for other numbers. */
   commandName(kind: CommandKind): string | null {
     return this.call_('muster_command_name', kind) as string | null;
   }

@@ -13,13 +13,9 @@ namespace {
 
 // clang-format off
 constexpr auto kNames = std::to_array<const char*>({
-    "TouchDown",
-    "TouchMove",
-    "TouchUp",
-    "TouchCancel",
+    "Touch",
     "AddControl",
-    "PinControl",
-    "RemoveControl",
+    "EditControl",
     "ReleaseClient",
     "ChangeGroup",
     "SetPose",
@@ -43,26 +39,19 @@ static_assert(kNames.size() == std::variant_size_v<CommandKinds>);
 
 /// One check per kind of command.
 struct Validator {
-    Status operator()(const TouchDown& c) const {
-        Status status = place("position", c.position);
+    Status operator()(const Touch& c) const {
+        Status status = isKnown(c.phase, kLastOf<TouchPhase>, "phase");
+        if (status.ok()) status = place("position", c.position);
         if (status.ok()) status = numberIn("time", c.time, 0, 1e9, "[0, 1e9] s");
         return status;
     }
-    Status operator()(const TouchMove& c) const {
-        Status status = place("position", c.position);
-        if (status.ok()) status = numberIn("time", c.time, 0, 1e9, "[0, 1e9] s");
-        return status;
-    }
-    Status operator()(const TouchUp& c) const { return numberIn("time", c.time, 0, 1e9, "[0, 1e9] s"); }
-    Status operator()(const TouchCancel&) const { return {}; }
     Status operator()(const AddControl& c) const {
         Status status = isKnown(c.kind, kLastOf<ControlKind>, "control kind");
         if (status.ok()) status = numberIn("time", c.time, 0, 1e9, "[0, 1e9] s");
         if (status.ok()) status = relations(c);
         return status;
     }
-    Status operator()(const PinControl&) const { return {}; }
-    Status operator()(const RemoveControl&) const { return {}; }
+    Status operator()(const EditControl& c) const { return isKnown(c.edit, kLastOf<ControlEdit>, "edit"); }
     Status operator()(const ReleaseClient&) const { return {}; }
     Status operator()(const ChangeGroup& c) const {
         Status status = validateIfAny(c.formation);

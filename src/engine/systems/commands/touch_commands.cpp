@@ -29,11 +29,13 @@ Status eachSet(WorldState& state, std::uint32_t touch, Change change) {
 
 }  // namespace
 
-Status apply(CommandContext& context, const TouchDown& touch) {
+namespace {
+
+Status comeDown(CommandContext& context, const Touch& touch) {
     WorldState& state = context.state;
     const auto picked = touch.group ? std::nullopt : pickedGroup(state, touch.position);
     Group* const group = picked ? &state.groups[*picked] : state.findGroup(touch.group);
-    if (touch.group && group == nullptr) return notFound("group", touch.group.value);
+    if (touch.group && group == nullptr) return noGroup(touch.group);
     if (group == nullptr)
         return invalidArgument("touch " + std::to_string(touch.touch) + " begins on no formation");
     group->order.fresh = true;
@@ -44,21 +46,17 @@ Status apply(CommandContext& context, const TouchDown& touch) {
         "touch " + std::to_string(touch.touch) + " is down already, or its vertex is held");
 }
 
-Status apply(CommandContext& context, const TouchMove& touch) {
+}  // namespace
+
+Status apply(CommandContext& context, const Touch& touch) {
+    if (touch.phase == TouchPhase::Down) return comeDown(context, touch);
+    const std::uint32_t client = context.command.client;
     return eachSet(context.state, touch.touch, [&](ControlSet& set) {
-        return set.touchMove(context.state.parameters.input, context.command.client, touch.touch,
-                             touch.position, stamp(context.state, touch.time));
+        if (touch.phase == TouchPhase::Up) return set.touchUp(client, touch.touch);
+        if (touch.phase == TouchPhase::Cancel) return set.touchCancel(client, touch.touch);
+        return set.touchMove(context.state.parameters.input, client, touch.touch, touch.position,
+                             stamp(context.state, touch.time));
     });
-}
-
-Status apply(CommandContext& context, const TouchUp& touch) {
-    return eachSet(context.state, touch.touch,
-                   [&](ControlSet& set) { return set.touchUp(context.command.client, touch.touch); });
-}
-
-Status apply(CommandContext& context, const TouchCancel& touch) {
-    return eachSet(context.state, touch.touch,
-                   [&](ControlSet& set) { return set.touchCancel(context.command.client, touch.touch); });
 }
 
 Status apply(CommandContext& context, const AddControl& add) {
@@ -71,17 +69,13 @@ Status apply(CommandContext& context, const AddControl& add) {
                    "the control's points do not suit its kind, or share a vertex that is held");
 }
 
-Status apply(CommandContext& context, const PinControl& pin) {
-    Group* group = context.state.findGroup(pin.group);
-    if (group == nullptr) return notFound("group", pin.group.value);
-    return group->controls.setPinned(pin.control, pin.pinned) ? Status{}
-                                                              : notFound("control", pin.control.value);
-}
-
-Status apply(CommandContext& context, const RemoveControl& remove) {
-    Group* group = context.state.findGroup(remove.group);
-    if (group == nullptr) return notFound("group", remove.group.value);
-    return group->controls.remove(remove.control) ? Status{} : notFound("control", remove.control.value);
+Status apply(CommandContext& context, const EditControl& edit) {
+    Group* group = context.state.findGroup(edit.group);
+    if (group == nullptr) return noGroup(edit.group);
+    const bool found = edit.edit == ControlEdit::Remove
+                           ? group->controls.remove(edit.control)
+                           : group->controls.setPinned(edit.control, edit.edit == ControlEdit::Pin);
+    return found ? Status{} : notFound("control", edit.control.value);
 }
 
 Status apply(CommandContext& context, const ReleaseClient&) {

@@ -9,13 +9,9 @@ namespace muster {
 /// What files call each kind of command. Orders are called by what they ask for.
 // clang-format off
 inline constexpr std::array kCommandWords{
-    "down",
-    "move",
-    "up",
-    "cancel",
+    "touch",
     "control",
-    "pin",
-    "remove",
+    "editControl",
     "release",
     "changeGroup",
     "pose",
@@ -67,6 +63,12 @@ inline constexpr std::array kFormerWords{
     "colourGroup",
     "appearance",
     "people",
+    "down",
+    "move",
+    "up",
+    "cancel",
+    "pin",
+    "remove",
 };
 // clang-format on
 static_assert(kFormerWords.size() == std::variant_size_v<FormerKinds>);
@@ -77,35 +79,12 @@ struct BodyFields {
     Visitor& v;
     double& time;
 
-    void operator()(TouchDown& c) {
-        v.whole("touch", c.touch, kId, "Number of the finger, unique per client while it is down.",
-                Need::Required);
-        spot(c.position);
-        c.time = time;
-        if (takesPart<Visitor>(static_cast<bool>(c.group)))
-            v.whole("group", c.group.value, kId, "Group to edit; none to pick it by position.");
-    }
-    void operator()(TouchMove& c) {
-        v.whole("touch", c.touch, kId, "Number of the finger.", Need::Required);
-        spot(c.position);
-        c.time = time;
-    }
-    void operator()(TouchUp& c) {
-        v.whole("touch", c.touch, kId, "Number of the finger.", Need::Required);
-        c.time = time;
-    }
-    void operator()(TouchCancel& c) {
-        v.whole("touch", c.touch, kId, "Number of the finger.", Need::Required);
-    }
+    void operator()(Touch& c) { describeByHand(v, c, time); }
     void operator()(AddControl& c) { describeByHand(v, c, time); }
-    void operator()(PinControl& c) {
+    void operator()(EditControl& c) {
         v.whole("group", c.group.value, kId, "Group that the control belongs to.", Need::Required);
         v.whole("control", c.control.value, kId, "Its id.", Need::Required);
-        v.flag("pinned", c.pinned, "False to release it.");
-    }
-    void operator()(RemoveControl& c) {
-        v.whole("group", c.group.value, kId, "Group that the control belongs to.", Need::Required);
-        v.whole("control", c.control.value, kId, "Its id.", Need::Required);
+        describeWord(v, "edit", c.edit, kControlEditWords, "What is done to it.", Need::Required);
     }
     void operator()(ReleaseClient&) {}
     void operator()(ChangeGroup& c) {
@@ -333,6 +312,35 @@ struct BodyFields {
     void operator()(SetPeople& c) {
         v.whole("group", c.group.value, kId, "The group.", Need::Required);
         describePeople(v, c.people, Need::Optional);
+    }
+    void operator()(TouchDown& c) {
+        v.whole("touch", c.touch, kId, "Number of the finger, unique per client while it is down.",
+                Need::Required);
+        spot(c.position);
+        c.time = time;
+        if (takesPart<Visitor>(static_cast<bool>(c.group)))
+            v.whole("group", c.group.value, kId, "Group to edit; none to pick it by position.");
+    }
+    void operator()(TouchMove& c) {
+        v.whole("touch", c.touch, kId, "Number of the finger.", Need::Required);
+        spot(c.position);
+        c.time = time;
+    }
+    void operator()(TouchUp& c) {
+        v.whole("touch", c.touch, kId, "Number of the finger.", Need::Required);
+        c.time = time;
+    }
+    void operator()(TouchCancel& c) {
+        v.whole("touch", c.touch, kId, "Number of the finger.", Need::Required);
+    }
+    void operator()(PinControl& c) {
+        v.whole("group", c.group.value, kId, "Group that the control belongs to.", Need::Required);
+        v.whole("control", c.control.value, kId, "Its id.", Need::Required);
+        v.flag("pinned", c.pinned, "False to release it.");
+    }
+    void operator()(RemoveControl& c) {
+        v.whole("group", c.group.value, kId, "Group that the control belongs to.", Need::Required);
+        v.whole("control", c.control.value, kId, "Its id.", Need::Required);
     }
 
 private:

@@ -48,8 +48,8 @@ Result<ExperimentTrial> ExperimentTrial::open(const RunRequest& request, const E
 void ExperimentTrial::shift(Vec2 by) {
     for (GroupDef& group : def_.groups) group.position += by;
     for (Command& command : commands_) {
-        if (auto* down = std::get_if<TouchDown>(&command.body)) down->position += by;
-        if (auto* move = std::get_if<TouchMove>(&command.body)) move->position += by;
+        if (auto* down = touchOf(command.body, TouchPhase::Down)) down->position += by;
+        if (auto* move = touchOf(command.body, TouchPhase::Move)) move->position += by;
     }
 }
 

@@ -18,9 +18,9 @@ void jitterHand(std::vector<Command>& commands, std::uint64_t seed, double amoun
     const Vec2 shift{x, y};
     double begins = -1.0;
     for (Command& command : commands) {
-        if (const auto* down = std::get_if<TouchDown>(&command.body); down != nullptr && begins < 0.0)
+        if (const auto* down = touchOf(command.body, TouchPhase::Down); down != nullptr && begins < 0.0)
             begins = down->time;
-        auto* move = std::get_if<TouchMove>(&command.body);
+        auto* move = touchOf(command.body, TouchPhase::Move);
         if (move == nullptr || begins < 0.0) continue;
         move->position += shift * std::clamp((move->time - begins) / kShiftTime, 0.0, 1.0);
     }

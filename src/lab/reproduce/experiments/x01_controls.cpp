@@ -51,11 +51,11 @@ void drawDrag(std::uint64_t seed, bool oneWay, std::vector<Command>& commands) {
     const Drag drag = dragOf(seed, oneWay);
     std::map<std::uint32_t, Vec2> from, to;
     for (const Command& command : commands) {
-        if (const auto* down = std::get_if<TouchDown>(&command.body)) from[down->touch] = down->position;
-        if (const auto* move = std::get_if<TouchMove>(&command.body)) to[move->touch] = move->position;
+        if (const auto* down = touchOf(command.body, TouchPhase::Down)) from[down->touch] = down->position;
+        if (const auto* move = touchOf(command.body, TouchPhase::Move)) to[move->touch] = move->position;
     }
     for (Command& command : commands) {
-        auto* move = std::get_if<TouchMove>(&command.body);
+        auto* move = touchOf(command.body, TouchPhase::Move);
         if (move == nullptr) continue;
         const Vec2 corner = from[move->touch], shipped = to[move->touch] - corner;
         const double share = dot(move->position - corner, shipped) / lengthSquared(shipped);

@@ -20,8 +20,8 @@ void drawLine(std::uint64_t seed, std::vector<Command>& commands) {
     const double factor = seed == 1 ? 1.0 : random.uniform(0.6, 1.2);
     std::map<std::uint32_t, Vec2> from;
     for (Command& command : commands) {
-        if (const auto* down = std::get_if<TouchDown>(&command.body)) from[down->touch] = down->position;
-        auto* move = std::get_if<TouchMove>(&command.body);
+        if (const auto* down = touchOf(command.body, TouchPhase::Down)) from[down->touch] = down->position;
+        auto* move = touchOf(command.body, TouchPhase::Move);
         if (move != nullptr && move->touch <= kLineTouches)
             move->position = from[move->touch] + (move->position - from[move->touch]) * factor;
     }

@@ -25,11 +25,9 @@ bool isJaw(std::uint32_t touch) {
 }
 
 /// The touch that a command belongs to; 0 for others.
-std::uint32_t touchOf(const Command& command) {
-    if (const auto* down = std::get_if<TouchDown>(&command.body)) return down->touch;
-    if (const auto* move = std::get_if<TouchMove>(&command.body)) return move->touch;
-    if (const auto* up = std::get_if<TouchUp>(&command.body)) return up->touch;
-    return 0;
+std::uint32_t fingerOf(const Command& command) {
+    const auto* touch = std::get_if<Touch>(&command.body);
+    return touch != nullptr && touch->phase != TouchPhase::Cancel ? touch->touch : 0;
 }
 
 /// Moves each finger a little, by the seed.
@@ -42,7 +40,7 @@ void vary(std::uint64_t seed, std::vector<Command>& commands) {
         each.y = random.uniform(-kTremor, kTremor);
     }
     for (Command& command : commands)
-        if (auto* move = std::get_if<TouchMove>(&command.body))
+        if (auto* move = touchOf(command.body, TouchPhase::Move))
             move->position += offset[move->touch % offset.size()];
 }
 
@@ -131,7 +129,7 @@ public:
         if (!trial.ok()) return trial.status();
         vary(request.seed, trial->commands());
         if (request.arm.id == "still")
-            std::erase_if(trial->commands(), [](const Command& command) { return isJaw(touchOf(command)); });
+            std::erase_if(trial->commands(), [](const Command& command) { return isJaw(fingerOf(command)); });
         if (Status s = trial->start(); !s.ok()) return s;
         PacmanWatch watch(trial->world());
         film(*trial, watch);

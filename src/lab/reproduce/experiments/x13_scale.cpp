@@ -69,11 +69,11 @@ void enlarge(ExperimentTrial& trial, std::int32_t count) {
     }
     std::vector<std::pair<std::uint32_t, Vec2>> downs;
     for (Command& command : trial.commands()) {
-        if (auto* down = std::get_if<TouchDown>(&command.body)) {
+        if (auto* down = touchOf(command.body, TouchPhase::Down)) {
             downs.emplace_back(down->touch, down->position - start);
             down->position = group.position + (down->position - start) * crowd;
         }
-        auto* move = std::get_if<TouchMove>(&command.body);
+        auto* move = touchOf(command.body, TouchPhase::Move);
         if (move == nullptr) continue;
         for (const auto& [touch, corner] : downs)
             if (touch == move->touch) move->position += group.position + corner * crowd - (start + corner);

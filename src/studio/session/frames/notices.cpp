@@ -96,7 +96,7 @@ std::optional<Vec2> middle(std::size_t count, PointAt pointAt) {
 }  // namespace
 
 std::optional<Vec2> positionOf(const CommandBody& command) {
-    if (const auto* touch = std::get_if<TouchDown>(&command)) return finite(touch->position);
+    if (const auto* touch = touchOf(command, TouchPhase::Down)) return finite(touch->position);
     const auto* add = std::get_if<AddControl>(&command);
     if (add == nullptr) return std::nullopt;
     return middle(add->positions.size(), [&](std::size_t i) { return add->positions[i]; });
@@ -122,7 +122,7 @@ std::optional<Vec2> positionOf(const protocol::ClientMessage& message) {
     const auto* touches = std::get_if<protocol::Touches>(&message);
     if (touches == nullptr) return std::nullopt;
     for (const protocol::TouchEvent& event : touches->events)
-        if (event.phase == protocol::TouchPhase::Down) return finite({event.x, event.y});
+        if (event.phase == TouchPhase::Down) return finite({event.x, event.y});
     return std::nullopt;
 }
 

@@ -75,7 +75,9 @@ struct Label {
     const char* operator()(const TransferCharacters& transfer) const {
         return transfer.group ? kindLabel(transfer) : "Remove people";
     }
-    const char* operator()(const PinControl& pin) const { return pin.pinned ? "Pin" : "Release pin"; }
+    const char* operator()(const EditControl& c) const {
+        return c.edit == ControlEdit::Pin ? "Pin" : "Release pin";
+    }
     template <class Other>
     const char* operator()(const Other& other) const {
         return kindLabel(other);
@@ -85,7 +87,8 @@ struct Label {
 }  // namespace
 
 bool canTakeBack(const CommandBody& body) {
-    return traitsOf(body).undoable;
+    const auto* control = std::get_if<EditControl>(&body);
+    return traitsOf(body).undoable && (control == nullptr || control->edit != ControlEdit::Remove);
 }
 
 std::string actLabel(std::span<const CommandBody> bodies, const World& world) {

@@ -48,8 +48,8 @@ struct Key {
     PartKey operator()(const SetParameter& c) const {
         return keyFor<SetParameter>(SubjectKind::Parameter, parameterIndex(c.name));
     }
-    PartKey operator()(const PinControl& c) const {
-        PartKey key = of<PinControl>(SubjectKind::Group, c.group);
+    PartKey operator()(const EditControl& c) const {
+        PartKey key = of<EditControl>(SubjectKind::Group, c.group);
         key.part = c.control.value;
         return key;
     }
@@ -95,7 +95,7 @@ bool changes(const PartChange& part) {
 
 bool setsPart(const CommandBody& body) {
     if (changesField(body, &ChangeGroup::count)) return false;  // It follows from who comes and leaves.
-    return isOneOf<PutThing, RemoveThing, AddGroup, RemoveGroup, ChangeGroup, SetPose, PinControl,
+    return isOneOf<PutThing, RemoveThing, AddGroup, RemoveGroup, ChangeGroup, SetPose, EditControl,
                    SetParameter>(body);
 }
 

@@ -19,7 +19,7 @@ namespace muster {
 struct PartKey {
     Subject subject;
     std::size_t said = 0;    ///< Index of the kind of command that sets it.
-    std::uint32_t part = 0;  ///< The control, for PinControl; the field, for ChangeGroup.
+    std::uint32_t part = 0;  ///< The control, for EditControl; the field, for ChangeGroup.
     friend auto operator<=>(const PartKey&, const PartKey&) = default;
 };
 

@@ -16,7 +16,7 @@ constexpr std::uint32_t kForgotten = 30;  // Since the last message about finger
 constexpr std::uint32_t kAgain = 2;       // In which fingers take a formation that they changed [steps].
 
 bool isTouch(const CommandBody& body) {
-    return isOneOf<TouchDown, TouchMove, TouchUp, TouchCancel, AddControl>(body);
+    return isOneOf<Touch, AddControl>(body);
 }
 
 /// True where a finger of the director is down in the world.
@@ -47,7 +47,7 @@ Drags::Part Drags::note(std::uint32_t client, std::span<const CommandBody> bodie
     const bool touches = std::any_of(bodies.begin(), bodies.end(), isTouch);
     endForgotten(part, client, scene.world);
     for (const CommandBody& body : bodies) {
-        if (const auto* touch = std::get_if<TouchDown>(&body))
+        if (const auto* touch = touchOf(body, TouchPhase::Down))
             down(client, touch->touch, touch->position, touch->group, scene);
         if (const auto* add = std::get_if<AddControl>(&body))
             for (std::size_t k = 0; k < add->touches.size() && k < add->positions.size(); ++k)
@@ -122,14 +122,15 @@ void Drags::follow(std::uint32_t client, Drag& drag, const CommandBody& body, co
     const auto lift = [&](std::uint32_t touch) {
         std::erase_if(drag.fingers, [&](const Finger& finger) { return finger.touch == touch; });
     };
-    if (const auto* move = std::get_if<TouchMove>(&body))
+    if (const auto* move = touchOf(body, TouchPhase::Move))
         for (const Finger& finger : drag.fingers)
             drag.changed = drag.changed ||
                            (finger.touch == move->touch && distance(finger.from, move->position) > kMoved);
-    if (const auto* up = std::get_if<TouchUp>(&body)) lift(up->touch);
+    if (const auto* up = touchOf(body, TouchPhase::Up)) lift(up->touch);
     if (std::holds_alternative<ReleaseClient>(body)) drag.fingers.clear();
-    const auto* remove = std::get_if<RemoveControl>(&body);
-    const auto* cancel = std::get_if<TouchCancel>(&body);
+    const auto* edit = std::get_if<EditControl>(&body);
+    const auto* remove = edit != nullptr && edit->edit == ControlEdit::Remove ? edit : nullptr;
+    const auto* cancel = touchOf(body, TouchPhase::Cancel);
     if (cancel != nullptr) lift(cancel->touch);
     if (cancel == nullptr && remove == nullptr) return;
     // The control ends, with all its fingers.

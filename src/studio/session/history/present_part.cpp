@@ -111,11 +111,13 @@ struct Present {
                            c.characters};
         });
     }
-    Said operator()(const PinControl& c) const {
+    Said operator()(const EditControl& c) const {
         const auto g = inspect::indexOfGroup(world, c.group);
         if (!g) return {};
         for (const Control& control : world.group(*g).controls)
-            if (control.id == c.control) return PinControl{c.group, c.control, control.pinned};
+            if (control.id == c.control)
+                return EditControl{c.group, c.control,
+                                   control.pinned ? ControlEdit::Pin : ControlEdit::Release};
         return {};
     }
     Said operator()(const SetParameter& c) const {

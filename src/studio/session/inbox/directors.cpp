@@ -96,7 +96,7 @@ std::string Directors::name(std::uint32_t client) const {
 Status Directors::admit(std::uint32_t client, CommandBody& command) const {
     const Director* director = find(client);
     if (director == nullptr || director->groups.empty()) return {};
-    if (auto* touch = std::get_if<TouchDown>(&command); touch != nullptr && !touch->group)
+    if (auto* touch = touchOf(command, TouchPhase::Down); touch != nullptr && !touch->group)
         touch->group = GroupId{*director->groups.begin()};
     for (const std::uint32_t group : std::visit(ChangedGroups{}, command)) {
         if (director->groups.contains(group)) continue;

@@ -85,11 +85,11 @@ private:
         std::map<std::pair<std::uint32_t, std::uint32_t>, GroupId> held;  // By client and touch.
         bool moved = false;
         for (Command& command : take_.commands) {
-            if (const auto* down = std::get_if<TouchDown>(&command.body))
+            if (const auto* down = touchOf(command.body, TouchPhase::Down))
                 held[{command.client, down->touch}] = groupOf(command, down->touch, down->group);
             if (const auto* add = std::get_if<AddControl>(&command.body))
                 for (const std::uint32_t touch : add->touches) held[{command.client, touch}] = add->group;
-            auto* move = std::get_if<TouchMove>(&command.body);
+            auto* move = touchOf(command.body, TouchPhase::Move);
             if (move == nullptr) continue;
             const auto holder = held.find({command.client, move->touch});
             if (holder == held.end() || holder->second != bend_.group) continue;

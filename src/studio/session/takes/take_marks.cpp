@@ -49,13 +49,10 @@ private:
         down_.erase(found);
     }
 
-    void accept(const Command& command, const TouchDown& body) { put(command, body.touch); }
-    void accept(const Command&, const TouchMove&) {}
-    void accept(const Command& command, const TouchUp& body) {
-        lift(command.client, body.touch, command.step);
-    }
-    void accept(const Command& command, const TouchCancel& body) {
-        lift(command.client, body.touch, command.step);
+    void accept(const Command& command, const Touch& body) {
+        if (body.phase == TouchPhase::Down) put(command, body.touch);
+        if (body.phase == TouchPhase::Up || body.phase == TouchPhase::Cancel)
+            lift(command.client, body.touch, command.step);
     }
     void accept(const Command& command, const AddControl& body) {
         for (const std::uint32_t touch : body.touches) put(command, touch);
@@ -73,7 +70,7 @@ private:
     void accept(const Command& command, const Body&) {
         add(TakeMarkKind::Change, command.step, words(commandName(command)));
     }
-    /// "set formation" for "SetFormation".
+    /// "change group" for "ChangeGroup".
     static std::string words(const std::string& name) {
         std::string text;
         for (const char c : name) {

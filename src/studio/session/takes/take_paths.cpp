@@ -30,7 +30,7 @@ std::vector<Vec2> runOf(const Moments& moments, List list, std::uint32_t id, std
 
 TakePaths::TakePaths(const Take& take) {
     for (const Command& command : take.commands)
-        if (const auto* down = std::get_if<TouchDown>(&command.body))
+        if (const auto* down = touchOf(command.body, TouchPhase::Down))
             downs_[command.step].emplace_back(command.client, down->touch);
 }
 

@@ -52,7 +52,7 @@ void Trial::step() {
         // What the world refuses changes nothing; a scheme's commands are well formed.
         if (!world_.submit(command).ok()) continue;
         commands_.push_back(command);
-        if (!std::holds_alternative<TouchMove>(command.body)) ++result_.commands;
+        if (!(touchOf(command.body, TouchPhase::Move) != nullptr)) ++result_.commands;
     }
     world_.step();
     if (isIdle(world_)) result_.idleSeconds += world_.parameters().stepTime;

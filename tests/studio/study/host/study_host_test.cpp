@@ -58,7 +58,7 @@ protocol::SetView viewOfPage() {
     return message;
 }
 
-void point(Page& page, protocol::TouchPhase phase, Vec2 ground, double time) {
+void point(Page& page, TouchPhase phase, Vec2 ground, double time) {
     const Vec2 at = studyView().screenOf(ground).value_or(Vec2{});
     protocol::RawInput input{.phase = phase, .pointer = 1, .x = at.x, .y = at.y, .time = time};
     page.send(protocol::Inputs{{input}});
@@ -66,13 +66,13 @@ void point(Page& page, protocol::TouchPhase phase, Vec2 ground, double time) {
 
 /// Drags the crowd to the right with one finger.
 void dragRight(Room& room, Page& page) {
-    point(page, protocol::TouchPhase::Down, {-13.5, 0}, 0.0);
+    point(page, TouchPhase::Down, {-13.5, 0}, 0.0);
     room.run(0.2, {&page});
     for (int i = 1; i <= 20; ++i) {
-        point(page, protocol::TouchPhase::Move, {-13.5 + 0.5 * i, 0}, 0.2 + 0.05 * i);
+        point(page, TouchPhase::Move, {-13.5 + 0.5 * i, 0}, 0.2 + 0.05 * i);
         room.run(0.05, {&page});
     }
-    point(page, protocol::TouchPhase::Up, {-3.5, 0}, 1.3);
+    point(page, TouchPhase::Up, {-3.5, 0}, 1.3);
     room.run(3.0, {&page});
 }
 
@@ -176,7 +176,7 @@ TEST_CASE("A lost page pauses its trial, lifts its fingers, and comes back by it
     toReady(*page);
     page->send(viewOfPage());
     page->act(StudyAct::Start);
-    point(*page, protocol::TouchPhase::Down, {-13.5, 0}, 0.0);
+    point(*page, TouchPhase::Down, {-13.5, 0}, 0.0);
     room.run(1.0, {page.get()});
     const std::string token = page->states.back().token;
     const double time = page->frames.back().time;
@@ -191,7 +191,7 @@ TEST_CASE("A lost page pauses its trial, lifts its fingers, and comes back by it
     CHECK(back.frames.back().time == doctest::Approx(time).epsilon(0.05));
     CHECK(!back.frames.back().playing);
     // What comes before the person goes on is no input.
-    point(back, protocol::TouchPhase::Down, {-13.5, 0}, 0.0);
+    point(back, TouchPhase::Down, {-13.5, 0}, 0.0);
     back.act(StudyAct::GoOn);
     CHECK(back.stage() == StudyStage::Trial);
     room.run(31.0, {&back});

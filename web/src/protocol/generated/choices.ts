@@ -4,15 +4,6 @@ export const VERSION = 16;
 /** Of the WebSocket. */
 export const SUBPROTOCOL = 'muster.v16';
 
-/** What a finger or a pointer does. */
-export const TouchPhase = {
-  Down: 0,
-  Move: 1,
-  Up: 2,
-  Cancel: 3,
-} as const;
-export type TouchPhase = (typeof TouchPhase)[keyof typeof TouchPhase];
-
 /** What a person wants of time. */
 export const PlaybackAction = {
   Play: 0,
@@ -128,6 +119,15 @@ export const ControlKind = {
   Area: 2,
 } as const;
 export type ControlKind = (typeof ControlKind)[keyof typeof ControlKind];
+
+/** What a finger or a pointer does. */
+export const TouchPhase = {
+  Down: 0,
+  Move: 1,
+  Up: 2,
+  Cancel: 3,
+} as const;
+export type TouchPhase = (typeof TouchPhase)[keyof typeof TouchPhase];
 
 /** Who makes room where groups meet. */
 export const Stance = {

@@ -27,18 +27,14 @@ export const kDefinitionLayouts: Readonly<Record<string, string>> = {
 
 // prettier-ignore
 /** What bytes call the kinds of commands, in the order of kCommandLayouts. */
-export const kCommandNumbers: readonly number[] = [0, 1, 2, 3, 4, 5, 6, 7, 49, 10, 11, 12, 47, 48, 19, 20, 21, 23, 25, 26, 27, 50, 32, 46];
+export const kCommandNumbers: readonly number[] = [51, 4, 52, 7, 49, 10, 11, 12, 47, 48, 19, 20, 21, 23, 25, 26, 27, 50, 32, 46];
 
 // prettier-ignore
 /** Commands: kind and fields. */
 export const kCommandLayouts: readonly (readonly [string, string])[] = [
-  ['down', 'touch:u32 position:Vec2 time:f64 group:u32'],
-  ['move', 'touch:u32 position:Vec2 time:f64'],
-  ['up', 'touch:u32 time:f64'],
-  ['cancel', 'touch:u32'],
+  ['touch', 'phase:TouchPhase=down touch:u32 position:Vec2 time:f64 group:u32'],
   ['control', 'group:u32 control:ControlKind=point touches:u32* positions:Vec2* time:f64'],
-  ['pin', 'group:u32 control:u32 pinned:bool=1'],
-  ['remove', 'group:u32 control:u32'],
+  ['editControl', 'group:u32 control:u32 edit:ControlEdit=pin'],
   ['release', 'unused:u8'],
   ['changeGroup', 'group:u32 formation:FormationDef? count:i32? people:PeopleDef*? conduct:Conduct? roles:RoleDef*? demands:f64*? name:text? colour:GroupColour? look:GroupLook?'],
   ['pose', 'group:u32 position:Vec2 angle:f64 characters:bool'],

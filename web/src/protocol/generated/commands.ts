@@ -16,6 +16,8 @@ import type {
   ExitChoiceWord,
   MannerWord,
   TurnWord,
+  TouchPhaseWord,
+  ControlEditWord,
   QueueModeWord,
   QueueEditWord,
   StanceWord,
@@ -360,44 +362,19 @@ export interface QueuedOrder {
   readonly order: Order;
 }
 
-/** A finger touches down. It edits the group whose mesh is nearest within `input.reach`, or `group` if given. */
-export interface TouchDownCommand {
-  readonly kind: 'down';
+/** A finger touches down, moves or lifts, or its control ends at once. One that comes down edits the group whose mesh is nearest within `input.reach`, or `group` if given; when it has lifted, its trajectory is still followed. */
+export interface TouchCommand {
+  readonly kind: 'touch';
+  /** What it does. */
+  readonly phase?: TouchPhaseWord;
   /** Number of the finger, unique per client while it is down. */
   readonly touch: number;
-  /** Position in the world [m]. */
+  /** For Down and Move: position in the world [m]. */
   readonly position: Vec2;
-  /** World time stamp [s]. */
+  /** World time stamp; not read for Cancel [s]. */
   readonly time: number;
-  /** Group to edit; none to pick it by position. */
+  /** For Down: group to edit; none to pick it by position. */
   readonly group?: number;
-}
-
-/** A finger moves. */
-export interface TouchMoveCommand {
-  readonly kind: 'move';
-  /** Number of the finger. */
-  readonly touch: number;
-  /** Position in the world [m]. */
-  readonly position: Vec2;
-  /** World time stamp [s]. */
-  readonly time: number;
-}
-
-/** A finger lifts; its trajectory is still followed. */
-export interface TouchUpCommand {
-  readonly kind: 'up';
-  /** Number of the finger. */
-  readonly touch: number;
-  /** World time stamp [s]. */
-  readonly time: number;
-}
-
-/** The control of a finger ends at once. */
-export interface TouchCancelCommand {
-  readonly kind: 'cancel';
-  /** Number of the finger. */
-  readonly touch: number;
 }
 
 /** Makes a control of all its points at once, for mouse and programs. Its points are then moved and lifted like touches. */
@@ -415,24 +392,15 @@ export interface AddControlCommand {
   readonly time: number;
 }
 
-/** Pins a control at the end of its trajectory, or releases it. */
-export interface PinControlCommand {
-  readonly kind: 'pin';
+/** Pins a control at the end of its trajectory, releases it, or ends it at once. */
+export interface EditControlCommand {
+  readonly kind: 'editControl';
   /** Group that the control belongs to. */
   readonly group: number;
   /** Its id. */
   readonly control: number;
-  /** False to release it. */
-  readonly pinned?: boolean;
-}
-
-/** Ends a control at once. */
-export interface RemoveControlCommand {
-  readonly kind: 'remove';
-  /** Group that the control belongs to. */
-  readonly group: number;
-  /** Its id. */
-  readonly control: number;
+  /** What is done to it. */
+  readonly edit: ControlEditWord;
 }
 
 /** A client has disconnected: all its fingers lift. */
@@ -632,13 +600,9 @@ export interface ReverseQueueCommand {
 
 /** Any command. */
 export type Command =
-  | TouchDownCommand
-  | TouchMoveCommand
-  | TouchUpCommand
-  | TouchCancelCommand
+  | TouchCommand
   | AddControlCommand
-  | PinControlCommand
-  | RemoveControlCommand
+  | EditControlCommand
   | ReleaseClientCommand
   | ChangeGroupCommand
   | SetPoseCommand

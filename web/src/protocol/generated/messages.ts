@@ -1,6 +1,5 @@
 // Made by schema/generate.mjs from schema/messages.txt: change these, not this file.
 import type {
-  TouchPhase,
   PlaybackAction,
   OverlayKind,
   MovingKind,
@@ -14,6 +13,7 @@ import type {
   StudyAct,
   TrialEnd,
   ControlKind,
+  TouchPhase,
   Stance,
   EventKind,
 } from './choices';

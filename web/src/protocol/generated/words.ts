@@ -79,6 +79,16 @@ export type MannerWord = (typeof kMannerWords)[number];
 export const kTurnWords = ['wheel', 'reverse', 'keep', 'flow'] as const;
 export type TurnWord = (typeof kTurnWords)[number];
 
+/** What a finger or a pointer does. In the order of values. */
+// prettier-ignore
+export const kTouchPhaseWords = ['down', 'move', 'up', 'cancel'] as const;
+export type TouchPhaseWord = (typeof kTouchPhaseWords)[number];
+
+/** Changes of a control. In the order of values. */
+// prettier-ignore
+export const kControlEditWords = ['pin', 'release', 'remove'] as const;
+export type ControlEditWord = (typeof kControlEditWords)[number];
+
 /** Where a new order stands in a queue. In the order of values. */
 // prettier-ignore
 export const kQueueModeWords = ['replace', 'append', 'insert'] as const;
@@ -112,6 +122,8 @@ export const kWords: Readonly<Record<string, readonly string[]>> = {
   ExitChoice: kExitChoiceWords,
   Manner: kMannerWords,
   Turn: kTurnWords,
+  TouchPhase: kTouchPhaseWords,
+  ControlEdit: kControlEditWords,
   QueueMode: kQueueModeWords,
   QueueEdit: kQueueEditWords,
   Stance: kStanceWords,

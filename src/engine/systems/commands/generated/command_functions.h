@@ -6,13 +6,9 @@
 
 namespace muster {
 
-Status apply(CommandContext& context, const TouchDown& c);
-Status apply(CommandContext& context, const TouchMove& c);
-Status apply(CommandContext& context, const TouchUp& c);
-Status apply(CommandContext& context, const TouchCancel& c);
+Status apply(CommandContext& context, const Touch& c);
 Status apply(CommandContext& context, const AddControl& c);
-Status apply(CommandContext& context, const PinControl& c);
-Status apply(CommandContext& context, const RemoveControl& c);
+Status apply(CommandContext& context, const EditControl& c);
 Status apply(CommandContext& context, const ReleaseClient& c);
 Status apply(CommandContext& context, const ChangeGroup& c);
 Status apply(CommandContext& context, const SetPose& c);

@@ -20,13 +20,9 @@ struct CommandTraits {
 
 /// Those of each kind.
 inline constexpr std::array<CommandTraits, std::variant_size_v<CommandKinds>> kCommandTraits{{
-    {"", false, false, false, false, false},               // TouchDown
-    {"", false, false, false, false, false},               // TouchMove
-    {"", false, false, false, false, false},               // TouchUp
-    {"", false, false, false, false, false},               // TouchCancel
+    {"", false, false, false, false, false},               // Touch
     {"", false, true, false, false, false},                // AddControl
-    {"Pin", true, true, false, false, false},              // PinControl
-    {"", false, true, false, false, false},                // RemoveControl
+    {"Pin", true, true, false, false, false},              // EditControl
     {"", false, false, false, false, false},               // ReleaseClient
     {"Change group", true, false, false, false, false},    // ChangeGroup
     {"Place group", true, true, false, false, false},      // SetPose

@@ -18,10 +18,9 @@ inline constexpr std::uint32_t kVersion = 16;                 ///< Raised by any
 inline constexpr const char* kSubprotocol = "muster.v16";  ///< Of the WebSocket.
 
 using muster::ControlKind;
+using muster::TouchPhase;
 using muster::Stance;
 using muster::EventKind;
-/// What a finger or a pointer does.
-enum class TouchPhase : std::uint8_t { Down, Move, Up, Cancel };
 /// What a person wants of time.
 enum class PlaybackAction : std::uint8_t { Play, Pause, SingleStep, Restart, Demonstrate };
 /// What the ground is coloured by.
@@ -50,8 +49,6 @@ enum class TrialEnd : std::uint8_t { None, Done, TimeOver, GivenUp, Practised };
 /// How many values an enumeration has.
 template <class Choice>
 inline constexpr std::size_t kChoices = kCountOf<Choice>;
-template <>
-inline constexpr std::size_t kChoices<TouchPhase> = 4;
 template <>
 inline constexpr std::size_t kChoices<PlaybackAction> = 5;
 template <>
