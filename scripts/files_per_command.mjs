@@ -16,8 +16,9 @@ const names = (() => {
   return list.split(',').map((name) => name.trim());
 })();
 
-/** "SplitGroup" as C++, C, Python and files of functions spell it. */
+/** "SplitGroup" as C++, C, Python and files of functions spell it; "Touch", a word of its own, only as a type or a declaration. */
 function spellings(name) {
+  if (!/[a-z][A-Z]/.test(name)) return new RegExp(`(?<![\\w:."])(Muster)?${name}(?=[{&*>])|MUSTER_COMMAND_${name.toUpperCase()}\\b|^command ${name} `, 'm');
   const snake = name.replace(/(?<!^)([A-Z])/g, '_$1').toLowerCase();
   return new RegExp(`(?<![A-Za-z])(Muster)?(${name}|${name[0].toLowerCase()}${name.slice(1)}(Event)?|${snake}|MUSTER_COMMAND_${snake.toUpperCase()})(?![A-Za-z])`);
 }
