@@ -2,6 +2,7 @@
 #include "bindings/c/c_world/handle_table.h"
 #include "bindings/c/c_world/world_fields.h"
 #include "muster/muster.h"
+#include "muster/order.h"
 
 namespace muster::c_api {
 namespace {
