@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "files/scenario/describe_forms.h"
+#include "muster/people.h"
 
 namespace muster {
 namespace {
