@@ -87,9 +87,9 @@ describe('the bytes', () => {
     ).toBe(
       '01' + '01000000' + '02' + '02010000' + '000000000000f03f' + '00000000000000c0' + '000000000000e03f' + '03000000',
     );
-    const pin = { kind: 'pin', group: 1, control: 2 } as const;
+    const pin = { kind: 'editControl', group: 1, control: 2, edit: 'release' } as const;
     expect(hex(encodeClient({ type: 'Commands', commands: [pin] }))).toBe(
-      '07' + '0a000000' + '05' + '01000000' + '02000000' + '01',
+      '07' + '0a000000' + '34' + '01000000' + '02000000' + '01',
     );
     expect(hex(encodeClient({ type: 'SetSpeed', factor: 0.5 }))).toBe('030000003f');
     expect(hex(encodeServer({ type: 'Pong', time: 1 }))).toBe('07000000000000f03f');

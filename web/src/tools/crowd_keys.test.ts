@@ -70,7 +70,8 @@ function mouse(type: string, x: number, y: number, buttons = 0): void {
   keys.pointed({ type, pointerType: 'mouse', buttons, clientX: 100 * x, clientY: 100 * y });
 }
 
-const removed = () => client.commands().flatMap((one) => (one.kind === 'remove' ? [one.control] : []));
+const removed = () =>
+  client.commands().flatMap((one) => (one.kind === 'editControl' && one.edit === 'remove' ? [one.control] : []));
 
 it('removes what lies under the mouse', () => {
   mouse('pointermove', 1.1, 1);
@@ -92,7 +93,7 @@ it('acts on what the mouse has in hand, not on what lay where it began', () => {
   mouse('pointerdown', 1, 1, 1);
   mouse('pointermove', 1, 1, 1);
   keys.togglePin();
-  expect(client.commands()).toEqual([{ kind: 'pin', group: 5, control: 4, pinned: true }]);
+  expect(client.commands()).toEqual([{ kind: 'editControl', group: 5, control: 4, edit: 'pin' }]);
 });
 
 it('acts on a control that is dragged, though another is newer', () => {

@@ -62,7 +62,7 @@ describe('ToolChooser', () => {
     frame.groups[0]!.vertices = new Float32Array([0, 0, 4, 0, 4, 4, 0, 4]);
     chooser.observe(frame);
     press(3, 3, 1, 10);
-    expect(client.types()).toEqual(['remove', 'control']);
+    expect(client.types()).toEqual(['editControl', 'control']);
     press(1, 3, 2, 10.05);
     press(3, 1, 3, 10.1);
     const [lifted, ...fresh] = client.touches();
@@ -79,7 +79,7 @@ describe('ToolChooser', () => {
     chooser.observe(frame);
     press(1, 1, 1, 10);
     press(3, 3, 2, 10.5);
-    expect(client.types()).toEqual(['Touches', 'remove', 'control']);
+    expect(client.types()).toEqual(['Touches', 'editControl', 'control']);
   });
   it('lets fingers and pens edit on the formation and move the camera beside it', () => {
     for (const kind of ['touch', 'pen'] as const) {

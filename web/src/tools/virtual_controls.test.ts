@@ -111,11 +111,11 @@ describe('HeldControls', () => {
     drag.move([contactAt(2, 1)]);
     drag.end(contactAt(2, 1));
     touches.flush();
-    expect(client.types()).toEqual(['remove', 'control', 'Touches']);
+    expect(client.types()).toEqual(['editControl', 'control', 'Touches']);
     const anew = controlFrame(9, 0, [{ x: 2, y: 1 }]);
     anew.points[0]!.down = true;
     controls.observe(frameWith(2, [anew]));
-    expect(client.commands().at(-1)).toEqual({ kind: 'pin', group: 5, control: 9, pinned: true });
+    expect(client.commands().at(-1)).toEqual({ kind: 'editControl', group: 5, control: 9, edit: 'pin' });
     expect(controls.all).toHaveLength(1);
   });
 
@@ -148,8 +148,8 @@ describe('HeldControls', () => {
       [TouchPhase.Up, 4],
     ]);
     expect(client.commands()).toEqual([
-      { kind: 'remove', group: 5, control: 8 },
-      { kind: 'remove', group: 5, control: 11 },
+      { kind: 'editControl', group: 5, control: 8, edit: 'remove' },
+      { kind: 'editControl', group: 5, control: 11, edit: 'remove' },
     ]);
     expect(controls.all).toHaveLength(0);
   });

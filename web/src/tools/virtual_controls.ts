@@ -121,7 +121,7 @@ export class VirtualControls {
     if (known) return known;
     const { control, group } = grab;
     this.touches_.flush();
-    this.tell({ kind: 'remove', group, control: control.id });
+    this.tell({ kind: 'editControl', group, control: control.id, edit: 'remove' });
     const positions = control.points.map(({ x, y }) => ({ x, y }));
     const was = control.points.map(({ touch }) => touch);
     const { kind, pinned, id } = control;
@@ -160,7 +160,7 @@ export class VirtualControls {
     this.controls_ = [];
     this.touches_.flush();
     for (const { group, control } of this.ownIn(frame)) {
-      this.tell({ kind: 'remove', group, control: control.id });
+      this.tell({ kind: 'editControl', group, control: control.id, edit: 'remove' });
     }
     this.drafts_.changed();
   }
@@ -169,12 +169,12 @@ export class VirtualControls {
   remove(group: number, control: ControlFrame): void {
     const virtual = this.holderOf(control, group);
     if (virtual) this.controls_ = this.controls_.filter((other) => other !== virtual);
-    this.tell({ kind: 'remove', group, control: control.id });
+    this.tell({ kind: 'editControl', group, control: control.id, edit: 'remove' });
   }
 
   togglePin(group: number, control: ControlFrame, time: number): void {
     const pinned = !control.pinned;
-    this.tell({ kind: 'pin', group, control: control.id, pinned });
+    this.tell({ kind: 'editControl', group, control: control.id, edit: pinned ? 'pin' : 'release' });
     const virtual = this.holderOf(control, group);
     if (!virtual) return;
     virtual.pinned = pinned;
@@ -210,7 +210,7 @@ export class VirtualControls {
       const control = shown.find((own) => this.matches(virtual, own.control, own.group))?.control;
       if (control && virtual.control === 0) {
         virtual.control = control.id;
-        if (virtual.pinned) this.tell({ kind: 'pin', group: virtual.group, control: control.id, pinned: true });
+        if (virtual.pinned) this.tell({ kind: 'editControl', group: virtual.group, control: control.id, edit: 'pin' });
       }
       const refused =
         virtual.control === 0 &&
