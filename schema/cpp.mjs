@@ -1,6 +1,6 @@
 // The structs of commands in C++, what checks their fields, and what people are shown of them.
 import { archiveLines } from './definitions_cpp.mjs';
-import { commands, formerCommands, kGivenFlags } from './read.mjs';
+import { commands, enumerations, formerCommands, kGivenFlags } from './read.mjs';
 import { aligned, call, docComment, kWidth, limit, listed, withUnit } from './text.mjs';
 import { cppItem, definition, enumerated, isId, mayBeNone, plain } from './types.mjs';
 
@@ -263,6 +263,9 @@ struct CommandTraits {
 inline constexpr std::array<CommandTraits, std::variant_size_v<CommandKinds>> kCommandTraits{{
 ${rows.map(({ code, about }) => `    ${code.padEnd(column)}// ${about}`).join('\n')}
 }};
+
+// What undo and redo call commands that hold such a value.
+${enumerations.filter(({ values }) => values[0].label).map(({ name, values }) => `inline constexpr std::array k${name}Labels{${values.map(({ label }) => `"${label}"`).join(', ')}};`).join('\n')}
 
 /// The traits of a command: those of its kind or, where it gives fields that have their own, those that all
 /// of these have.
