@@ -1,6 +1,6 @@
 // The structs of commands in C++, what checks their fields, and what people are shown of them.
 import { structLines } from './cpp_struct.mjs';
-import { commands, definitionOf, formerCommands, isEnumeration, kGivenFlags } from './read.mjs';
+import { commands, definitionOf, enumerations, formerCommands, isEnumeration, kGivenFlags } from './read.mjs';
 import { call, kWidth, limit, listed } from './text.mjs';
 import { isId, mayBeNone } from './types.mjs';
 
@@ -227,6 +227,9 @@ struct CommandTraits {
 inline constexpr std::array<CommandTraits, std::variant_size_v<CommandKinds>> kCommandTraits{{
 ${rows.map(({ code, about }) => `    ${code.padEnd(column)}// ${about}`).join('\n')}
 }};
+
+// What undo and redo call commands that hold such a value.
+${enumerations.filter(({ values }) => values[0].label).map(({ name, values }) => `inline constexpr std::array k${name}Labels{${values.map(({ label }) => `"${label}"`).join(', ')}};`).join('\n')}
 
 /// The traits of a command: those of its kind or, where it gives fields that have their own, those that all
 /// of these have.

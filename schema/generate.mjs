@@ -16,6 +16,7 @@ import { definitionTypescriptFiles } from './definitions_typescript.mjs';
 import { descriptionFiles } from './description.mjs';
 import { documentationFiles } from './documentation.mjs';
 import { enumerationFiles } from './enumerations.mjs';
+import { idFiles } from './ids.mjs';
 import { javascriptFiles } from './javascript.mjs';
 import { messageCppFiles } from './messages_cpp.mjs';
 import { messageTypescriptFiles } from './messages_typescript.mjs';
@@ -31,7 +32,7 @@ import { viewFiles } from './views.mjs';
 const checks = process.argv.includes('--check');
 const makers = [
   enumerationFiles, definitionFiles, definitionCheckFiles, definitionCFiles, definitionFileFiles, definitionSampleFiles, cppFiles, cFiles,
-  scenarioFiles, sampleFiles, typescriptFiles, () => definitionTypescriptFiles(isUsed), messageCppFiles, messageTypescriptFiles,
+  scenarioFiles, sampleFiles, idFiles, typescriptFiles, () => definitionTypescriptFiles(isUsed), messageCppFiles, messageTypescriptFiles,
   documentationFiles, parameterFiles, cHeaderFiles, viewFiles, descriptionFiles, javascriptFiles, pythonFiles, pythonViewFiles,
 ];
 let stale = 0;

@@ -24,7 +24,7 @@ const kPlain = {
   Box: ['Box', ''],
   Polygon: ['list[Vec2]', 'field(default_factory=list)'],
   Parameters: ['dict[str, float]', 'field(default_factory=dict)'],
-  CommandBody: ['CommandBody', 'field(default_factory=TouchDown)'],
+  CommandBody: ['CommandBody', 'field(default_factory=Touch)'],
 };
 
 const pythonDoc = (text) => text.replace(/(\w)::(\w)/g, '$1.$2');

@@ -237,7 +237,9 @@ const isDeclared = (type) => isType(type) || isEnumeration(type) || isDefinition
 /** "Ids "Those with the given ids leave."". */
 export function addValue(owner, tokens, line) {
   const name = word(tokens, line, 'a value');
-  owner.values.push({ name, sentence: tokens.shift()?.text ?? fail(line, `found no sentence for ${name}`) });
+  const sentence = tokens.shift()?.text ?? fail(line, `found no sentence for ${name}`);
+  const label = tokens.shift()?.word === 'label' ? (tokens.shift()?.text ?? fail(line, `found no text for the label of ${name}`)) : '';
+  owner.values.push({ name, sentence, label });
 }
 
 readFile('enumerations.txt', 'enum', enumerations, readEnumeration, addValue);

@@ -47,7 +47,7 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
     switch (kind) {
 ${commands.map(kind).join('\n')}
         default:
-            return TouchDown{};
+            return Touch{};
     }
 }
 

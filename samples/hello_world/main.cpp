@@ -22,14 +22,11 @@ int main() {
 
     // A finger comes down on the mesh, moves 16 m to the right in one second, and lifts. Commands wait for
     // their step.
-    const muster::Vec2 start = world.group(0).finalMesh.front();
-    bool accepted = world.submit({0, 1, 0, muster::Touch{muster::TouchPhase::Down, 1, start, 0.0, {}}}).ok();
-    accepted &= world
-                    .submit({60, 1, 1,
-                             muster::Touch{
-                                 muster::TouchPhase::Move, 1, start + muster::Vec2{16.0, 0.0}, 1.0, {}}})
-                    .ok();
-    accepted &= world.submit({61, 1, 2, muster::Touch{muster::TouchPhase::Up, 1, {}, 61.0 / 60.0, {}}}).ok();
+    using muster::Touch, muster::TouchPhase;
+    const muster::Vec2 start = world.group(0).finalMesh.front(), end = start + muster::Vec2{16.0, 0.0};
+    bool accepted = world.submit({0, 1, 0, Touch{TouchPhase::Down, 1, start, 0.0, {}}}).ok();
+    accepted &= world.submit({60, 1, 1, Touch{TouchPhase::Move, 1, end, 1.0, {}}}).ok();
+    accepted &= world.submit({61, 1, 2, Touch{TouchPhase::Up, 1, {}, 61.0 / 60.0, {}}}).ok();
     for (int step = 0; step < 900; ++step)
         world.step();  // 15 s of 1/60 s each; the same bits on every machine.
 

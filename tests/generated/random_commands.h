@@ -180,7 +180,7 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             return c;
         }
         default:
-            return TouchDown{};
+            return Touch{};
     }
 }
 

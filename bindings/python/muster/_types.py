@@ -2014,7 +2014,7 @@ class Command:
     step: int = 0
     client: int = 0
     sequence: int = 0
-    body: CommandBody = field(default_factory=TouchDown)
+    body: CommandBody = field(default_factory=Touch)
 
 
 @dataclass(slots=True)

@@ -43,22 +43,22 @@ std::uint32_t stepAt(double time, double stepTime) {
     return static_cast<std::uint32_t>(std::min(4e9, std::floor(time / stepTime + 1e-9)));
 }
 
-/// Makes the command that a kind stands for. Fingers move, and groups are ordered to.
-void makeBody(FieldReader& v, CommandBody& body, const std::string& kind) {
-    const auto order = indexOfWord(kOrderKindWords, kind);
+/// The former command that a kind stands for; none for others. Fingers moved and characters left, and groups
+/// are ordered to.
+std::optional<std::size_t> formerKind(FieldReader& v, const std::string& kind) {
     const bool moves = kind == kOrderKindWords.front();
     if (moves && !v.has("touch") && !v.has("group"))
-        return v.fail({}, "neither \"touch\" nor \"group\"", "a finger or a group to move");
-    if (order && !(moves && v.has("touch")))
+        v.fail({}, "neither \"touch\" nor \"group\"", "a finger or a group to move");
+    const bool isOrder = (moves && !v.has("touch")) || (kind == kLeave && !v.has("ids"));
+    return isOrder ? std::nullopt : indexOfWord(kFormerWords, kind);
+}
+
+/// Makes the command that a kind stands for.
+void makeBody(CommandBody& body, const std::string& kind) {
+    if (const auto order = indexOfWord(kOrderKindWords, kind))
         body.emplace<GiveOrder>().order.kind = static_cast<OrderKind>(*order);
     else
         emplaceIndex<CommandKinds>(body, *indexOfWord(kCommandWords, kind));
-}
-
-/// The former command that a kind stands for; none for others. Groups are ordered to leave, and characters
-/// did.
-std::optional<std::size_t> formerKind(const FieldReader& v, const std::string& kind) {
-    return kind == kLeave && !v.has("ids") ? std::nullopt : indexOfWord(kFormerWords, kind);
 }
 
 /// Reads the fields of a command by a name that it had, as the command that says the same.
@@ -102,7 +102,8 @@ void describeEvent(Visitor& v, Event& event, double stepTime, Need timed) {
             command.body = readFormer(v, *index, event.time);
             return;
         }
-        makeBody(v, command.body, kind);
+        if (v.failed()) return;
+        makeBody(command.body, kind);
     }
     BodyFields<Visitor> fields{v, event.time};
     std::visit(fields, command.body);

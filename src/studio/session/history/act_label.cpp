@@ -8,42 +8,9 @@
 namespace muster {
 namespace {
 
-const char* orderLabel(const Order& order) {
-    switch (order.kind) {
-        case OrderKind::Move:
-            break;
-        case OrderKind::Face:
-            return "Turn";
-        case OrderKind::Follow:
-            return "Follow";
-        case OrderKind::Guard:
-            return "Guard";
-        case OrderKind::Leave:
-            return "Leave";
-        case OrderKind::Wait:
-            return "Wait";
-        case OrderKind::Walk:
-            return "Walk on";
-    }
-    return "Move";
-}
-
-const char* editLabel(QueueEdit edit) {
-    switch (edit) {
-        case QueueEdit::Cancel:
-            break;
-        case QueueEdit::Hold:
-            return "Hold";
-        case QueueEdit::Resume:
-            return "Go on";
-        case QueueEdit::Patrol:
-            return "Patrol";
-        case QueueEdit::EndPatrol:
-            return "End patrol";
-        case QueueEdit::Stop:
-            return "Stop";
-    }
-    return "Cancel order";
+template <std::size_t N, class Value>
+const char* labelOf(const std::array<const char*, N>& labels, Value value) {
+    return labels[static_cast<std::size_t>(value)];
 }
 
 const char* conductLabel(const ChangeGroup& change, const World& world) {
@@ -66,8 +33,8 @@ const char* kindLabel(const CommandBody& body) {
 struct Label {
     const World& world;
 
-    const char* operator()(const GiveOrder& give) const { return orderLabel(give.order); }
-    const char* operator()(const EditQueue& edit) const { return editLabel(edit.edit); }
+    const char* operator()(const GiveOrder& give) const { return labelOf(kOrderKindLabels, give.order.kind); }
+    const char* operator()(const EditQueue& edit) const { return labelOf(kQueueEditLabels, edit.edit); }
     const char* operator()(const ChangeGroup& change) const {
         return change.conduct && !change.formation && !change.count ? conductLabel(change, world)
                                                                     : kindLabel(change);
@@ -75,9 +42,7 @@ struct Label {
     const char* operator()(const TransferCharacters& transfer) const {
         return transfer.group ? kindLabel(transfer) : "Remove people";
     }
-    const char* operator()(const EditControl& c) const {
-        return c.edit == ControlEdit::Pin ? "Pin" : "Release pin";
-    }
+    const char* operator()(const EditControl& c) const { return labelOf(kControlEditLabels, c.edit); }
     template <class Other>
     const char* operator()(const Other& other) const {
         return kindLabel(other);

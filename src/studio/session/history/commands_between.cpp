@@ -36,7 +36,7 @@ public:
             if (!isThere && part.after && !part.before) moves_.come.push_back(part.key.subject.name);
         }
         for (PartChange& part : difference_.parts) {
-            if (part.key.subject.kind == SubjectKind::Start)
+            if (isStart(part))
                 leadStart(part);
             else if (part.key.subject.kind != SubjectKind::Group)
                 leadGround(part);
@@ -51,10 +51,9 @@ public:
     }
 
 private:
+    static bool isStart(const PartChange& part) { return part.key.subject.kind == SubjectKind::Start; }
     std::optional<CommandBody> now(const PartChange& part) const {
-        auto said = presentPart(askedOf(part, scene_.names), scene_.world, scene_.place);
-        if (said) scene_.names.toNames(*said);
-        return said;
+        return presentPart(askedOf(part, scene_.names), isStart(part), scene_);
     }
     void give(CommandBody body) {
         scene_.names.toIds(body);
@@ -71,14 +70,10 @@ private:
     }
 
     void leadStart(PartChange& part) {
-        if (part.passed || !part.after) return;
-        CommandBody wanted = *part.after;
-        scene_.names.toIds(wanted);
-        std::optional<CommandBody> is = startPart(wanted, scene_.place);
-        if (!is) return;
-        scene_.names.toNames(*is);
-        if (!samePart(is, part.after)) batch_.starts.push_back(std::move(wanted));
-        part.before = std::move(is);
+        const std::optional<CommandBody> is = now(part);
+        if (part.passed || !part.after || !is) return;
+        if (!samePart(is, part.after)) scene_.names.toIds(batch_.starts.emplace_back(*part.after));
+        part.before = is;
     }
 
     void leadGround(PartChange& part) {

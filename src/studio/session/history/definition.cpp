@@ -99,8 +99,10 @@ bool setsPart(const CommandBody& body) {
                    SetParameter>(body);
 }
 
-PartKey keyOf(const CommandBody& body, Names& names) {
-    return std::visit(Key{names}, body);
+PartKey keyOf(const CommandBody& body, Names& names, bool start) {
+    PartKey key = std::visit(Key{names}, body);
+    if (start) key.subject.kind = SubjectKind::Start;
+    return key;
 }
 
 bool isMeshPose(const CommandBody& body) {

@@ -71,10 +71,18 @@ struct Difference {
     bool empty() const;
 };
 
+/// The world and the place, and the names of their things.
+struct Scene {
+    const World& world;
+    const Place& place;
+    Names& names;
+};
+
 /// True where the command, of one field, adds a thing, removes one, or sets a property that it says whole.
 bool setsPart(const CommandBody& body);
-/// The property that the command sets, of the thing that it names; of a new thing where it adds one.
-PartKey keyOf(const CommandBody& body, Names& names);
+/// The property that the command sets, of the thing that it names; of a new thing where it adds one. `start`:
+/// that of how the group starts.
+PartKey keyOf(const CommandBody& body, Names& names, bool start = false);
 /// True where the property is the pose of a mesh, to which characters walk.
 bool isMeshPose(const CommandBody& body);
 /// True where the property is that the thing is there.
@@ -82,12 +90,9 @@ bool isPresence(const PartKey& key);
 /// What the property is after a command that adds a thing, which has that id now, or sets one; with ids. None
 /// for one that removes it.
 std::optional<CommandBody> saidBy(const CommandBody& body, std::uint32_t id);
-/// What the world, or of starts the place, says of the property that a command sets or removes;
-/// with ids. None where the world lacks the thing.
-std::optional<CommandBody> presentPart(const CommandBody& asked, const World& world, const Place& place);
-/// The same of how the group starts, as the place has it. None where the place lacks the group, or its start
-/// does not tell.
-std::optional<CommandBody> startPart(const CommandBody& asked, const Place& place);
+/// What the world says of the property that a command sets or removes; with names. None where it lacks the
+/// thing. `start`: what the place says of how the group starts; none where its start does not tell.
+std::optional<CommandBody> presentPart(const CommandBody& asked, bool start, const Scene& scene);
 /// The command that sets the property: it adds a thing that is not there.
 CommandBody adding(const CommandBody& said);
 /// The command that removes the thing of which that is said.

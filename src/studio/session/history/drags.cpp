@@ -109,9 +109,8 @@ void Drags::hold(Drag& drag, GroupId group, const Scene& scene) {
     drag.groups.push_back(group);
     for (const CommandBody& asked : {CommandBody(ChangeGroup{.group = group, .formation = FormationDef{}}),
                                      CommandBody(SetPose{group})}) {
-        std::optional<CommandBody> now = presentPart(asked, scene.world, scene.place);
+        const std::optional<CommandBody> now = presentPart(asked, false, scene);
         if (!now) continue;
-        scene.names.toNames(*now);
         Difference one;
         one.parts.push_back({keyOf(asked, scene.names), now, now, true});
         join(differences_[drag.number], std::move(one));

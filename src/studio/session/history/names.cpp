@@ -1,49 +1,20 @@
 #include "studio/session/history/names.h"
 
+#include "studio/session/history/generated/command_ids.h"
+
 namespace muster {
 namespace {
 
 constexpr std::uint32_t kNowhere = 0xFFFFFFFFu;  // Nothing has this id.
 
-template <class Visit>
-void visitOrder(Order& order, const Visit& visit) {
-    visit(SubjectKind::Group, order.group.value);
-    visit(SubjectKind::Character, order.character);
-    visit(SubjectKind::Area, order.area.value);
-    for (AreaId& exit : order.exits) visit(SubjectKind::Area, exit.value);
-}
-
 /// Calls `visit(kind, id)` for all ids that a command has.
 template <class Visit>
-struct IdVisitor {
-    const Visit& visit;
-
-    void operator()(PutThing& c) const {
-        if (const auto thing = thingOf(c)) visit(subjectOf(*thing), c.id);
-        visit(SubjectKind::Group, c.group.value);
-    }
-    void operator()(RemoveThing& c) const { visit(subjectOf(c.thing), c.id); }
-    void operator()(AddGroup& c) const {
-        for (Order& order : c.group.orders) visitOrder(order, visit);
-    }
-    void operator()(GiveOrder& c) const {
-        visit(SubjectKind::Group, c.group.value);
-        visitOrder(c.order, visit);
-    }
-    void operator()(EditQueue& c) const {
-        visit(SubjectKind::Group, c.group.value);
-        visit(SubjectKind::Order, c.order);
-    }
-    void operator()(MergeGroups& c) const {
-        for (GroupId& group : c.groups) visit(SubjectKind::Group, group.value);
-    }
-    template <class Body>
-    void operator()(Body& c) const {
-        if constexpr (requires { c.group.value; }) visit(SubjectKind::Group, c.group.value);
-        if constexpr (requires { c.ids; })
-            for (std::uint32_t& id : c.ids) visit(SubjectKind::Character, id);
-    }
-};
+void visitAll(CommandBody& body, const Visit& visit) {
+    if (auto* put = std::get_if<PutThing>(&body))
+        if (const auto thing = thingOf(*put)) visit(subjectOf(*thing), put->id);
+    if (auto* remove = std::get_if<RemoveThing>(&body)) visit(subjectOf(remove->thing), remove->id);
+    std::visit([&](auto& c) { visitIds(c, visit); }, body);
+}
 
 /// Names of characters and orders are their ids, until they come back. Histories hold so many of them, and
 /// none outlasts a new beginning, that only others are listed.
@@ -91,21 +62,19 @@ void Names::clear() {
 }
 
 void Names::toNames(CommandBody& body) {
-    const auto visit = [&](SubjectKind kind, std::uint32_t& id) { id = nameOf(kind, id); };
-    std::visit(IdVisitor<decltype(visit)>{visit}, body);
+    visitAll(body, [&](SubjectKind kind, std::uint32_t& id) { id = nameOf(kind, id); });
 }
 
 void Names::toIds(CommandBody& body) const {
-    const auto visit = [&](SubjectKind kind, std::uint32_t& id) { id = idOf(kind, id); };
-    std::visit(IdVisitor<decltype(visit)>{visit}, body);
+    visitAll(body, [&](SubjectKind kind, std::uint32_t& id) { id = idOf(kind, id); });
 }
 
-void Names::toNames(Order& order) {
-    visitOrder(order, [&](SubjectKind kind, std::uint32_t& id) { id = nameOf(kind, id); });
+void Names::toNames(QueuedOrder& order) {
+    visitIds(order, [&](SubjectKind kind, std::uint32_t& id) { id = nameOf(kind, id); });
 }
 
-void Names::toIds(Order& order) const {
-    visitOrder(order, [&](SubjectKind kind, std::uint32_t& id) { id = idOf(kind, id); });
+void Names::toIds(QueuedOrder& order) const {
+    visitIds(order, [&](SubjectKind kind, std::uint32_t& id) { id = idOf(kind, id); });
 }
 
 }  // namespace muster

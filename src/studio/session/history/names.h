@@ -55,8 +55,8 @@ public:
     /// Puts names in the place of ids, or ids in the place of names, wherever a command has some.
     void toNames(CommandBody& body);
     void toIds(CommandBody& body) const;
-    void toNames(Order& order);
-    void toIds(Order& order) const;
+    void toNames(QueuedOrder& order);
+    void toIds(QueuedOrder& order) const;
 
 private:
     struct Table {

@@ -86,7 +86,6 @@ Said presentThing(ThingKind thing, std::uint32_t id, const World& world) {
 /// One function for each kind of command that sets a property or removes a thing.
 struct Present {
     const World& world;
-    const Place& place;
 
     Said operator()(const PutThing& c) const {
         const auto thing = thingOf(c);
@@ -151,13 +150,14 @@ struct GroupSaid {
 
 }  // namespace
 
-Said presentPart(const CommandBody& asked, const World& world, const Place& place) {
-    return std::visit(Present{world, place}, asked);
-}
-
-Said startPart(const CommandBody& asked, const Place& place) {
-    const PlaceGroupDef* const group = place.group(std::visit(GroupSaid{}, asked));
-    return group == nullptr ? Said() : std::visit(OfGroup{group->def}, asked);
+Said presentPart(const CommandBody& asked, bool start, const Scene& scene) {
+    Said said;
+    if (!start)
+        said = std::visit(Present{scene.world}, asked);
+    else if (const PlaceGroupDef* group = scene.place.group(std::visit(GroupSaid{}, asked)))
+        said = std::visit(OfGroup{group->def}, asked);
+    if (said) scene.names.toNames(*said);
+    return said;
 }
 
 MemberState presentMember(std::uint32_t id, const World& world, Names& names) {

@@ -203,17 +203,11 @@ void lead(GroupId group, const QueueState& now, const QueueState& wanted, Names&
 }
 
 void toNames(QueueState& queue, Names& names) {
-    for (QueuedOrder& order : queue.orders) {
-        order.id = names.nameOf(SubjectKind::Order, order.id);
-        names.toNames(order.order);
-    }
+    for (QueuedOrder& order : queue.orders) names.toNames(order);
 }
 
 void toIds(QueueState& queue, const Names& names) {
-    for (QueuedOrder& order : queue.orders) {
-        order.id = names.idOf(SubjectKind::Order, order.id);
-        names.toIds(order.order);
-    }
+    for (QueuedOrder& order : queue.orders) names.toIds(order);
 }
 
 std::size_t bytesOf(const QueueState& queue) {

@@ -8,46 +8,23 @@
 namespace muster {
 namespace {
 
-/// Id of the first thing above `after` that equals the definition; 0 for none.
-template <class Ids, class Same>
-std::uint32_t firstAbove(const Ids& ids, std::uint32_t after, Same same) {
-    for (std::size_t k = 0; k < ids.size(); ++k)
-        if (ids[k].value > after && same(k)) return ids[k].value;
-    return 0;
-}
-
-/// Id of the thing that the command has added; 0 where it adds none.
-std::uint32_t addedId(const CommandBody& body, const World& world, std::uint32_t after) {
-    const Environment& ground = inspect::environment(world);
-    const auto* put = std::get_if<PutThing>(&body);
-    if (put == nullptr || put->id != 0) return 0;
-    if (put->obstacle) {
-        const auto ids = ground.obstacleIds();
-        return firstAbove(ids, after,
-                          [&](std::size_t k) { return *ground.obstacle(ids[k]) == *put->obstacle; });
-    }
-    if (put->patch) {
-        const auto ids = ground.patchIds();
-        return firstAbove(ids, after, [&](std::size_t k) { return *ground.patch(ids[k]) == *put->patch; });
-    }
-    if (put->item)
-        return firstAbove(world.itemIds(), after,
-                          [&](std::size_t k) { return world.items()[k].position == put->item->position; });
-    if (put->checkpoint)
-        return firstAbove(world.checkpointIds(), after, [&](std::size_t k) {
-            return world.checkpoints()[k].position == put->checkpoint->position;
-        });
-    for (std::size_t a = 0; a < world.areaCount(); ++a)
-        if (const AreaView area = world.area(a); area.id.value > after && area.def == *put->area)
-            return area.id.value;
-    return 0;
-}
-
-std::optional<SubjectKind> addedKind(const CommandBody& body) {
-    if (std::holds_alternative<AddGroup>(body)) return SubjectKind::Group;
-    const auto* put = std::get_if<PutThing>(&body);
-    if (put == nullptr || put->id != 0 || !thingOf(*put)) return std::nullopt;
-    return subjectOf(*thingOf(*put));
+/// Ids of all that is of a kind, ascending.
+std::vector<std::uint32_t> idsOf(SubjectKind kind, const World& world) {
+    std::vector<std::uint32_t> ids;
+    const auto put = [&](const auto& all) {
+        for (const auto id : all) ids.push_back(id.value);
+    };
+    if (kind == SubjectKind::Obstacle) put(inspect::environment(world).obstacleIds());
+    if (kind == SubjectKind::Patch) put(inspect::environment(world).patchIds());
+    if (kind == SubjectKind::Item) put(world.itemIds());
+    if (kind == SubjectKind::Checkpoint) put(world.checkpointIds());
+    if (kind == SubjectKind::Area)
+        for (std::size_t a = 0; a < world.areaCount(); ++a) ids.push_back(world.area(a).id.value);
+    if (kind == SubjectKind::Group)
+        for (std::size_t g = 0; g < world.groupCount(); ++g) ids.push_back(world.group(g).id.value);
+    if (kind == SubjectKind::Character)
+        ids.assign(world.characters().id.begin(), world.characters().id.end());
+    return ids;
 }
 
 }  // namespace
@@ -55,28 +32,19 @@ std::optional<SubjectKind> addedKind(const CommandBody& body) {
 void StepBirths::begin(const World& world) {
     if (begun_) return;
     begun_ = true;
-    const auto last = [](const auto& ids) { return ids.empty() ? 0u : ids.back().value; };
-    const auto set = [&](SubjectKind kind, std::uint32_t id) {
-        highest_[static_cast<std::size_t>(kind)] = id;
-    };
-    const Environment& ground = inspect::environment(world);
-    const std::size_t groups = world.groupCount(), areas = world.areaCount();
-    const auto characters = world.characters().id;
-    set(SubjectKind::Obstacle, last(ground.obstacleIds()));
-    set(SubjectKind::Patch, last(ground.patchIds()));
-    set(SubjectKind::Item, last(world.itemIds()));
-    set(SubjectKind::Checkpoint, last(world.checkpointIds()));
-    set(SubjectKind::Group, groups == 0 ? 0u : world.group(groups - 1).id.value);
-    set(SubjectKind::Area, areas == 0 ? 0u : world.area(areas - 1).id.value);
-    set(SubjectKind::Character, characters.empty() ? 0u : characters.back());
+    for (std::size_t kind = 0; kind < kSubjectKinds; ++kind) {
+        const std::vector<std::uint32_t> ids = idsOf(static_cast<SubjectKind>(kind), world);
+        highest_[kind] = ids.empty() ? 0 : ids.back();
+    }
 }
 
 void StepBirths::end(const World& world) {
     events_.assign(world.events().begin(), world.events().end());
-    knownGroups_.clear();
+    known_.clear();
     ofThemselves_.clear();
     for (const Event& event : events_) {
-        if (event.kind == EventKind::GroupAdded && event.value != 0) knownGroups_.push_back(event.subject);
+        if (event.kind == EventKind::GroupAdded && event.value != 0)
+            known_.push_back({SubjectKind::Group, event.subject});
         if (event.kind == EventKind::Entered || event.kind == EventKind::Exited)
             ofThemselves_.push_back(event.subject);
     }
@@ -97,25 +65,14 @@ std::vector<std::uint32_t> StepBirths::takeEvents(EventKind kind, std::uint32_t 
     return ids;
 }
 
-std::vector<std::uint32_t> StepBirths::added(const CommandBody& body, const World& world) {
-    const auto kind = addedKind(body);
-    if (!kind) return {};
-    std::uint32_t& highest = highest_[static_cast<std::size_t>(*kind)];
-    if (std::holds_alternative<AddGroup>(body)) return addedGroup(world, highest);
-    const std::uint32_t id = addedId(body, world, highest);
-    if (id == 0) return {};
-    highest = id;
-    return {id};
-}
-
-std::vector<std::uint32_t> StepBirths::addedGroup(const World& world, std::uint32_t after) {
-    for (std::size_t g = 0; g < world.groupCount(); ++g) {
-        const GroupView view = world.group(g);
-        const bool known = std::find(knownGroups_.begin(), knownGroups_.end(), view.id.value) !=
-                           knownGroups_.end();
-        if (view.id.value <= after || known) continue;
-        knownGroups_.push_back(view.id.value);
-        return {view.id.value};
+// Ids rise with the commands that bring things.
+std::vector<std::uint32_t> StepBirths::nextNew(SubjectKind kind, const World& world) {
+    for (const std::uint32_t id : idsOf(kind, world)) {
+        const Subject one{kind, id};
+        if (id <= highest_[static_cast<std::size_t>(kind)]) continue;
+        if (std::find(known_.begin(), known_.end(), one) != known_.end()) continue;
+        known_.push_back(one);
+        return {id};
     }
     return {};
 }
@@ -129,7 +86,10 @@ std::vector<std::uint32_t> StepBirths::of(const CommandBody& body, const World& 
     }
     if (const auto* add = std::get_if<AddCharacters>(&body))
         return takeEvents(EventKind::Joined, 0, add->group.value, add->positions.size());
-    return added(body, world);
+    if (std::holds_alternative<AddGroup>(body)) return nextNew(SubjectKind::Group, world);
+    const auto* put = std::get_if<PutThing>(&body);
+    return put != nullptr && put->id == 0 ? nextNew(subjectOf(*thingOf(*put)), world)
+                                          : std::vector<std::uint32_t>();
 }
 
 std::vector<std::uint32_t> StepBirths::newMembers(GroupId group, const World& world) const {

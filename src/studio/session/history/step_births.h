@@ -33,14 +33,13 @@ public:
 private:
     std::vector<std::uint32_t> takeEvents(EventKind kind, std::uint32_t subject, std::uint32_t value,
                                           std::size_t most);
-    std::vector<std::uint32_t> added(const CommandBody& body, const World& world);
-    std::vector<std::uint32_t> addedGroup(const World& world, std::uint32_t after);
+    std::vector<std::uint32_t> nextNew(SubjectKind kind, const World& world);
 
     bool begun_ = false;
-    std::array<std::uint32_t, kSubjectKinds> highest_{};  // Ids before the step, and those asked about since.
+    std::array<std::uint32_t, kSubjectKinds> highest_{};  // Ids before the step.
     std::vector<Event> events_;
     std::vector<std::uint32_t> ofThemselves_;  // Characters who have come or left, ascending.
-    std::vector<std::uint32_t> knownGroups_;   // New ones that commands have been asked about, and parts.
+    std::vector<Subject> known_;               // Ids that commands have been asked about, and of parts.
 };
 
 }  // namespace muster

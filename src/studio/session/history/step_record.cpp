@@ -7,16 +7,6 @@
 #include "studio/session/history/group_fields.h"
 
 namespace muster {
-namespace {
-
-/// The same property of how the group starts.
-PartKey startKey(const CommandBody& body, Names& names) {
-    PartKey key = keyOf(body, names);
-    key.subject.kind = SubjectKind::Start;
-    return key;
-}
-
-}  // namespace
 
 /// The difference that the commands of one act make.
 class StepRecord::Change {
@@ -28,7 +18,7 @@ public:
         const std::vector<std::uint32_t> ids = births_.of(body, scene_.world);
         for (const CommandBody& single : singleFields(body)) {
             if (setsPart(single)) say(single, ids);
-            if (concern.place) start(single);
+            if (concern.place) look(single, false, true);
         }
         if (const GroupId group = queueChangedBy(body)) order(group, body, ids);
         if (const auto* remove = std::get_if<RemoveGroup>(&body)) {
@@ -109,20 +99,10 @@ private:
         put(key, std::move(said), false);
     }
 
-    /// The place says how the group starts.
-    void start(const CommandBody& body) {
-        std::optional<CommandBody> now = startPart(body, scene_.place);
-        if (!now) return;
-        scene_.names.toNames(*now);
-        put(startKey(body, scene_.names), std::move(now), false);
-    }
-
-    /// The world says it.
-    void look(const CommandBody& asked, bool stays) {
-        const PartKey key = keyOf(asked, scene_.names);
-        std::optional<CommandBody> now = presentPart(asked, scene_.world, scene_.place);
-        if (now) scene_.names.toNames(*now);
-        put(key, std::move(now), stays);
+    /// The world says it, or of how a group starts the place.
+    void look(const CommandBody& asked, bool stays, bool start = false) {
+        const PartKey key = keyOf(asked, scene_.names, start);
+        if (key.subject.name != 0) put(key, presentPart(asked, start, scene_), stays);
     }
 
     void putQueue(std::uint32_t group, QueueState after, bool stays) {
@@ -185,19 +165,10 @@ private:
     std::vector<MemberChange> members_;
 };
 
-void StepRecord::readPart(const CommandBody& asked, const Scene& scene) {
-    const PartKey key = keyOf(asked, scene.names);
+void StepRecord::readPart(const CommandBody& asked, bool start, const Scene& scene) {
+    const PartKey key = keyOf(asked, scene.names, start);
     if (key.subject.name == 0 || parts_.contains(key)) return;
-    std::optional<CommandBody> now = presentPart(asked, scene.world, scene.place);
-    if (now) scene.names.toNames(*now);
-    parts_.emplace(key, std::move(now));
-}
-
-void StepRecord::readStart(const CommandBody& asked, const Scene& scene) {
-    std::optional<CommandBody> now = startPart(asked, scene.place);
-    if (!now) return;
-    scene.names.toNames(*now);
-    parts_.try_emplace(startKey(asked, scene.names), std::move(now));
+    parts_.emplace(key, presentPart(asked, start, scene));
 }
 
 void StepRecord::readQueue(GroupId group, const Scene& scene) {
@@ -212,10 +183,10 @@ void StepRecord::readQueue(GroupId group, const Scene& scene) {
 Concern StepRecord::read(const CommandBody& body, const Scene& scene, bool place) {
     Concern concern = concernOf(body, scene.world, place);
     for (const CommandBody& single : singleFields(body)) {
-        if (setsPart(single)) readPart(single, scene);
-        if (place) readStart(single, scene);
+        if (setsPart(single)) readPart(single, false, scene);
+        if (place) readPart(single, true, scene);
     }
-    for (const Concern::Part& part : concern.parts) readPart(part.asked, scene);
+    for (const Concern::Part& part : concern.parts) readPart(part.asked, false, scene);
     if (const GroupId group = queueChangedBy(body)) readQueue(group, scene);
     for (const GroupId group : concern.queues) readQueue(group, scene);
     if (const auto* remove = std::get_if<RemoveGroup>(&body)) {

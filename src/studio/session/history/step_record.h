@@ -33,13 +33,6 @@ Concern concernOf(const CommandBody& body, const World& world, bool place);
 /// What presentPart() is asked for all properties of a group.
 std::vector<CommandBody> propertiesOf(GroupId group);
 
-/// The world and the place, and the names of their things.
-struct Scene {
-    const World& world;
-    const Place& place;
-    Names& names;
-};
-
 /// What is read of the definition while one step is made. Each part is read once, whoever changes it.
 class StepRecord {
 public:
@@ -55,8 +48,7 @@ public:
 
 private:
     class Change;
-    void readPart(const CommandBody& asked, const Scene& scene);
-    void readStart(const CommandBody& asked, const Scene& scene);
+    void readPart(const CommandBody& asked, bool start, const Scene& scene);
     void readQueue(GroupId group, const Scene& scene);
 
     // As the commands so far have left them; with names in the place of ids.

@@ -42,6 +42,11 @@ inline constexpr std::array<CommandTraits, std::variant_size_v<CommandKinds>> kC
     {"Reverse orders", true, true, false, false, true},    // ReverseQueue
 }};
 
+// What undo and redo call commands that hold such a value.
+inline constexpr std::array kOrderKindLabels{"Move", "Turn", "Follow", "Guard", "Leave", "Wait", "Walk on"};
+inline constexpr std::array kControlEditLabels{"Pin", "Release pin", "Remove control"};
+inline constexpr std::array kQueueEditLabels{"Cancel order", "Hold", "Go on", "Patrol", "End patrol", "Stop"};
+
 /// The traits of a command: those of its kind or, where it gives fields that have their own, those that all
 /// of these have.
 inline CommandTraits traitsOf(const CommandBody& body) {
