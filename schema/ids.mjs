@@ -21,7 +21,7 @@ const visitor = (cpp, fields) => {
   return `template <class Visit>\nvoid visitIds(${cpp}& c, const Visit& visit) {\n${lines.join('\n')}\n}`;
 };
 
-const header = () => `${kBanner}// Calls \`visit(kind, id)\` for each id that a command has, but for those of things, of which it tells the kind.
+const header = () => `${kBanner}// Calls \`visit(kind, id)\` for each id of a command. PutThing and RemoveThing tell what their \`id\` is of.
 #pragma once
 
 #include "muster/command.h"

@@ -29,6 +29,10 @@ public:
         c.positions.assign(c.touches.size(), place());
         c.kind = static_cast<ControlKind>(std::min<std::size_t>(c.touches.size(), 3) - 1);
     }
+    void relate(Touch& c) {
+        if (c.phase == TouchPhase::Up || c.phase == TouchPhase::Cancel) c.position = {};
+        if (c.phase == TouchPhase::Cancel) c.time = 0.0;
+    }
     void relate(PutThing& c) {
         const PutThing all{c.id,
                            randomObstacleDef(*this),

@@ -48,7 +48,7 @@ void describeByHand(Visitor& v, Touch& c, double& time) {
     }
     if (takesPart<Visitor>(static_cast<bool>(c.group)))
         v.whole("group", c.group.value, kId, "For down: group to edit; left out: the nearest.");
-    c.time = time;
+    c.time = c.phase == TouchPhase::Cancel ? 0.0 : time;
 }
 
 }  // namespace muster

@@ -102,10 +102,10 @@ TEST_CASE("Bytes on the wire are those the protocol promises") {
     CHECK(hex(protocol::encode(commandsOf(EditControl{GroupId{1}, ControlId{2}, ControlEdit::Pin}))) ==
           "07"
           "0a000000"
-          "05"
+          "34"
           "01000000"
           "02000000"
-          "01");
+          "00");
     CHECK(hex(protocol::encode(protocol::SetSpeed{0.5f})) == "030000003f");
     CHECK(hex(protocol::encode(protocol::Pong{1.0})) == "07000000000000f03f");
 }

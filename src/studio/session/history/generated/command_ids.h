@@ -1,5 +1,5 @@
 // Made by schema/generate.mjs from schema/commands.txt: change these, not this file.
-// Calls `visit(kind, id)` for each id that a command has, but for those of things, of which it tells the kind.
+// Calls `visit(kind, id)` for each id of a command. PutThing and RemoveThing tell what their `id` is of.
 #pragma once
 
 #include "muster/command.h"
