@@ -96,7 +96,7 @@ TEST_CASE("torn, foreign, tampered snapshots and other versions are refused with
     }
     changed = bytes;
     changed[8] = 99;
-    CHECK(refusal(changed) == "snapshot: found version 99, expected version 20, which this Muster writes");
+    CHECK(refusal(changed) == "snapshot: found version 99, expected version 21, which this Muster writes");
     const std::vector<std::uint8_t> old{'2', 'P', 'S', 'M', 0, 0, 0, 0};
-    CHECK(refusal(old) == "snapshot: found version 2, expected version 20, which this Muster writes");
+    CHECK(refusal(old) == "snapshot: found version 2, expected version 21, which this Muster writes");
 }
