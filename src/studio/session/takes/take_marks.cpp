@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "studio/session/inbox/generated/command_traits.h"
+
 namespace muster {
 namespace {
 
@@ -68,7 +70,13 @@ private:
     }
     template <class Body>
     void accept(const Command& command, const Body&) {
-        add(TakeMarkKind::Change, command.step, words(commandName(command)));
+        const std::string label = traitsOf(command.body).label;
+        add(TakeMarkKind::Change, command.step, label.empty() ? words(commandName(command)) : lowered(label));
+    }
+    /// "change shape" for the label "Change shape".
+    static std::string lowered(std::string label) {
+        if (label[0] >= 'A' && label[0] <= 'Z') label[0] = static_cast<char>(label[0] - 'A' + 'a');
+        return label;
     }
     /// "change group" for "ChangeGroup".
     static std::string words(const std::string& name) {
