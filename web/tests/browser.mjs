@@ -25,6 +25,7 @@ import * as overlays from './cases/overlays.mjs';
 import * as placeFiles from './cases/place_files.mjs';
 import * as people from './cases/people.mjs';
 import * as queue from './cases/queue.mjs';
+import * as reach from './cases/reach.mjs';
 import * as realMaps from './cases/real_maps.mjs';
 import * as scenarios from './cases/scenarios.mjs';
 import * as shapes from './cases/shapes.mjs';
@@ -45,6 +46,9 @@ import { StudioPage } from './support/studio_page.mjs';
 /** The open place, with room to build. */
 const kOpen = { scenario: 'scenarios/open.json', room: true };
 const kTablets = ['desktop', 'landscape', 'portrait'];
+const kAllSizes = ['wide', 'landscape', 'tablet', 'portrait', 'phone'];
+/** Two groups, and an invitation to direct. */
+const kTogether = { scenario: 'web/tests/scenarios/two-groups.json', options: ['--lan'], search: '?quality=light' };
 
 /** Name, test, sizes, and options of the page. `room`: zoomed out, to have room to drag; `shared`: one page serves all such
  * cases of a size; `counts`: calls of WebGL are counted; a `scenario` gets a server of its own; `bare`: the test starts its own
@@ -185,6 +189,8 @@ const kCases = [
     ['wide', 'landscape', 'portrait', 'phone'],
     { scenario: 'scenarios/paper/x03-long-house.json', everySize: true },
   ],
+  ['reach: steering', reach.steering, kAllSizes, { ...kTogether, hint: true, everySize: true }],
+  ['reach: watching a take', reach.watching, kAllSizes, { ...kTogether, everySize: true }],
   ['build: by mouse', build.byMouse, ['desktop'], { touch: false, scenario: 'scenarios/open.json', room: true }],
   ['build: corners', buildCorners.cornersAndGuides, ['desktop', 'portrait', 'phone'], kOpen],
   ['group colour: by mouse', groupColour.byMouse, ['desktop'], { ...kOpen, touch: false }],

@@ -18,7 +18,7 @@ beforeEach(() => {
 });
 
 it('what needs the server is inert while it is lost, what does not stays', () => {
-  const needs = ['.sheet', '.scenario', '.layers [data-key="V"]'];
+  const needs = ['.playback', '.scenario', '.layers [data-key="V"]'];
   const state = () => needs.map((selector) => find(selector).inert);
   store.set({ link: { phase: 'open' }, loaded: true });
   expect(state()).toEqual([false, false, false]);

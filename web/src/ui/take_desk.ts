@@ -1,5 +1,6 @@
 // Takes in the page: the card of a kept one, the shelf, the time line of the open one, and exports.
 
+import { PanelLayout } from './widgets/panel_layout';
 import { PlaybackAction, type SpeedPiece, type TakeKept, type TakeState } from '../protocol/messages';
 import { problem } from '../protocol/problem';
 import type { StudioClient } from '../link/studio_client';
@@ -101,14 +102,10 @@ export class TakeDesk implements TakeActions {
       opened: (name) => this.opened(name),
       show: (step) => this.show(step),
     });
-    page.append(
-      this.line_.root,
-      this.card_.root,
-      this.shelfPanel_.root,
-      this.exports.dialog.root,
-      file,
-      this.live_.root,
-    );
+    const layout = PanelLayout.of(page);
+    layout.add('time-line', this.line_.root);
+    layout.add('take-card', this.card_.root);
+    page.append(this.shelfPanel_.root, this.exports.dialog.root, file, this.live_.root);
     client.on('takeState', (state) => this.changed(state));
     client.on('takeReady', ({ steps }) => this.line_.track.setReady(steps));
     client.on('takeKept', (kept) => void this.kept(kept));

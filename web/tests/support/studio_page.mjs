@@ -12,6 +12,7 @@ export const kSizes = {
   wide: { width: 1440, height: 900 },
   desktop: { width: 1280, height: 800 },
   landscape: { width: 1180, height: 820 },
+  tablet: { width: 1024, height: 768 },
   portrait: { width: 820, height: 1180 },
   phone: { width: 390, height: 844 },
   narrow: { width: 360, height: 740 },

@@ -5,7 +5,7 @@ import { initialOf, type DirectorActions, type DirectorInfo, type Invitation } f
 import type { GroupInfo, StudioState } from '../../model/studio_state';
 import { element, setText } from '../widgets/dom';
 import { icon } from '../widgets/icons';
-import { Popup } from '../widgets/popup';
+import { Popover } from '../widgets/popover';
 import { qrPicture } from '../widgets/qr_picture';
 import { toolButton } from '../widgets/tool_button';
 
@@ -36,7 +36,7 @@ export class DirectorsPanel {
     private readonly actions_: DirectorActions,
   ) {
     this.button_.append(this.faces_);
-    new Popup(this.button_, this.panel_);
+    new Popover(this.button_, this.panel_, 'bottom-end');
     store.watch(['directors', 'invitation', 'groups'], (state) => this.show(state));
   }
 

@@ -3,7 +3,7 @@
 import { formatClock } from '../../model/formatters';
 import type { CameraKey } from '../../scene/camera/film_camera';
 import { element, setPressed } from '../widgets/dom';
-import { Popup } from '../widgets/popup';
+import { Popover } from '../widgets/popover';
 import { toolButton } from '../widgets/tool_button';
 
 export interface FilmCameraActions {
@@ -31,7 +31,7 @@ export class FilmCameraMenu {
   private stepTime_ = 1 / 60;
 
   constructor(private readonly actions_: FilmCameraActions) {
-    new Popup(this.button_, this.list_, () => this.fill());
+    new Popover(this.button_, this.list_, 'top-end', () => this.fill());
   }
 
   show(keys: readonly CameraKey[], on: boolean, stepTime: number): void {

@@ -10,7 +10,7 @@ import type { AreaKindWord } from '../../protocol/generated/words';
 import { element, setAttribute, setPressed, setText } from '../widgets/dom';
 import { accentVariable } from '../widgets/group_marks';
 import { icon, type IconName } from '../widgets/icons';
-import { Popup } from '../widgets/popup';
+import { Popover } from '../widgets/popover';
 import { ToolbarFocus } from '../widgets/toolbar_focus';
 import { choiceRow, dial, switchRow } from '../widgets/settings_rows';
 
@@ -126,7 +126,7 @@ export class OrdersPanel {
     this.redo_ = button({ ...redo, act: () => actions_.undo(true) });
     this.addDetails();
     this.root.append(this.details_);
-    new Popup(opener, this.details_);
+    new Popover(opener, this.details_, 'left-start');
     new ToolbarFocus(this.bar_, store_);
     store_.watch(['groups', 'active', 'units', 'history', 'loaded'], (state) => this.show(state));
   }

@@ -3,7 +3,7 @@
 import { element } from '../widgets/dom';
 import { icon, type IconName } from '../widgets/icons';
 import { LayerBar } from './layer_bar';
-import { Popup } from '../widgets/popup';
+import { Popover } from '../widgets/popover';
 import type { StudioActions } from '../../model/studio_actions';
 import { toolButton } from '../widgets/tool_button';
 import type { StudioStore } from '../../model/studio_store';
@@ -17,12 +17,12 @@ export class PhoneBar {
     const more = toolButton({ icon: 'more', label: 'More', iconOnly: true });
     const layerList = element('div', { class: 'phone-layers panel' }, new LayerBar(store, actions).root);
     const menu = element('div', { class: 'phone-menu panel', role: 'group', 'aria-label': 'More' });
-    new Popup(layers, layerList);
-    const popup = new Popup(more, menu);
+    new Popover(layers, layerList, 'bottom-end');
+    const popover = new Popover(more, menu, 'bottom-end');
     const item = (name: IconName, label: string, act: () => void): HTMLButtonElement => {
       const button = element('button', { type: 'button', class: 'menu-item' }, icon(name), label);
       button.addEventListener('click', () => {
-        popup.close(true);
+        popover.close(true);
         act();
       });
       menu.append(button);

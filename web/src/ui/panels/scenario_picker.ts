@@ -4,7 +4,7 @@ import type { ScenarioInfo } from '../../protocol/messages';
 import { element, setText } from '../widgets/dom';
 import { formatCount } from '../../model/formatters';
 import { icon, logo, type IconName } from '../widgets/icons';
-import { Popup } from '../widgets/popup';
+import { Popover } from '../widgets/popover';
 import { groupScenarios, type ScenarioGroup } from '../../model/scenario_groups';
 import type { StudioActions } from '../../model/studio_actions';
 import type { PlacesView, StudioState } from '../../model/studio_state';
@@ -38,7 +38,7 @@ export class ScenarioPicker {
     'aria-label': 'Your own places',
   });
   readonly root = element('div', { class: 'scenario panel' }, this.button_, this.list_);
-  private readonly popup_ = new Popup(this.button_, this.list_);
+  private readonly popover_ = new Popover(this.button_, this.list_);
 
   constructor(
     store: StudioStore,
@@ -69,7 +69,7 @@ export class ScenarioPicker {
   private placeItem(view: PlacesView, name: IconName, label: string): HTMLButtonElement {
     const item = element('button', { type: 'button', class: 'place-menu-item' }, icon(name), label);
     item.addEventListener('click', () => {
-      this.popup_.close(true);
+      this.popover_.close(true);
       this.actions_.showPlaces(view);
     });
     return item;
@@ -84,7 +84,7 @@ export class ScenarioPicker {
       element('span', { class: 'scenario-about secondary' }, info.description),
     );
     item.addEventListener('click', () => {
-      this.popup_.close(true);
+      this.popover_.close(true);
       this.actions_.loadScenario(info.name);
     });
     return item;

@@ -4,7 +4,7 @@ import type { StudioActions } from '../../model/studio_actions';
 import type { StudioStore } from '../../model/studio_store';
 import { element } from '../widgets/dom';
 import { icon, type IconName } from '../widgets/icons';
-import { Popup } from '../widgets/popup';
+import { Popover } from '../widgets/popover';
 import { toolButton } from '../widgets/tool_button';
 
 /** Files that may belong to a character. */
@@ -25,7 +25,7 @@ export class TakeMenu {
   private readonly list_ = element('div', { class: 'take-list panel', role: 'group', 'aria-label': 'Takes' });
   private readonly take_ = fileInput('Open a take', '.take', false);
   private readonly character_ = fileInput('Open a character', kCharacterFiles, true);
-  private readonly popup_ = new Popup(this.button_, this.list_);
+  private readonly popover_ = new Popover(this.button_, this.list_, 'top-end');
   readonly root = element('span', { class: 'takes-holder' }, this.button_, this.list_);
   /** Unseen; they stand outside of the menu, which closes. */
   readonly inputs: readonly HTMLInputElement[] = [this.take_, this.character_];
@@ -65,7 +65,7 @@ export class TakeMenu {
   private item(name: IconName, label: string, act: () => void): HTMLButtonElement {
     const button = element('button', { type: 'button', class: 'menu-item' }, icon(name), label);
     button.addEventListener('click', () => {
-      this.popup_.close(true);
+      this.popover_.close(true);
       act();
     });
     return button;

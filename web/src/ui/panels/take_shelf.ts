@@ -19,6 +19,7 @@ export class TakeShelf {
     class: 'take-shelf panel',
     role: 'dialog',
     'aria-label': 'Takes',
+    popover: 'manual',
     hidden: true,
   });
 
@@ -52,7 +53,11 @@ export class TakeShelf {
   }
 
   setOpen(open: boolean): void {
+    if (open !== this.root.hidden) return;
     this.root.hidden = !open;
+    // In the top layer, above all panels.
+    if (open) this.root.showPopover?.();
+    else this.root.hidePopover?.();
     if (open) this.root.querySelector<HTMLElement>('.shelf-item-open, .shelf-close')?.focus();
     else this.undo_.hidden = true;
   }

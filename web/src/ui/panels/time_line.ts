@@ -4,7 +4,7 @@ import { formatClock, formatSpeed } from '../../model/formatters';
 import type { TakeActions } from '../../model/take_actions';
 import { withPiece, type OpenTake } from '../../model/take_facts';
 import { element, setPressed, setText } from '../widgets/dom';
-import { Popup } from '../widgets/popup';
+import { Popover } from '../widgets/popover';
 import { toolButton } from '../widgets/tool_button';
 import { TimeTrack } from './time_track';
 
@@ -72,7 +72,7 @@ export class TimeLine {
       className: 'time-close',
       act: () => actions_.leaveTake(),
     });
-    new Popup(slow, this.pieces_, () => this.fillPieces());
+    new Popover(slow, this.pieces_, 'top-end', () => this.fillPieces());
     const holder = element('span', { class: 'time-speed-holder' }, slow, this.pieces_);
     this.root = element(
       'section',

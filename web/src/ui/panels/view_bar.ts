@@ -13,15 +13,13 @@ export class ViewBar {
     const fit = toolButton({
       icon: 'fit',
       label: 'Fit',
-      iconOnly: true,
       key: 'F',
       tip: 'Fits crowd and paths',
       act: () => actions.fit(),
     });
     const follow = toolButton({
       icon: 'camera',
-      label: 'Follow with the camera',
-      iconOnly: true,
+      label: 'Follow',
       key: 'I',
       pressed: false,
       className: 'toggle',
@@ -33,7 +31,6 @@ export class ViewBar {
     const build = toolButton({
       icon: 'build',
       label: 'Build',
-      iconOnly: true,
       key: 'Shift+E',
       pressed: false,
       className: 'toggle',
@@ -45,7 +42,6 @@ export class ViewBar {
     const measures = toolButton({
       icon: 'measure',
       label: 'Measures',
-      iconOnly: true,
       key: 'Shift+M',
       pressed: false,
       className: 'toggle',

@@ -1,11 +1,11 @@
 // @vitest-environment jsdom
 import { beforeEach, describe, expect, it } from 'vitest';
 import { element } from './dom';
-import { Popup } from './popup';
+import { Popover } from './popover';
 
 let button: HTMLButtonElement;
 let panel: HTMLElement;
-let popup: Popup;
+let popover: Popover;
 
 function press(key: string): void {
   document.activeElement!.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true, cancelable: true }));
@@ -15,10 +15,10 @@ beforeEach(() => {
   button = element('button', {}, 'open');
   panel = element('div', {}, element('button', {}, 'a'), element('button', { 'aria-current': 'true' }, 'b'));
   document.body.replaceChildren(button, panel);
-  popup = new Popup(button, panel);
+  popover = new Popover(button, panel);
 });
 
-describe('Popup', () => {
+describe('Popover', () => {
   it('opens on the current item and says so', () => {
     expect(panel.hidden).toBe(true);
     button.click();
@@ -27,7 +27,7 @@ describe('Popup', () => {
     expect(document.activeElement!.textContent).toBe('b');
   });
   it('moves by arrows and gives the focus back on Escape', () => {
-    popup.open();
+    popover.open();
     press('ArrowDown');
     expect(document.activeElement!.textContent).toBe('a');
     press('End');
@@ -35,14 +35,14 @@ describe('Popup', () => {
     press('Home');
     expect(document.activeElement!.textContent).toBe('a');
     press('Escape');
-    expect(popup.isOpen).toBe(false);
+    expect(popover.isOpen).toBe(false);
     expect(document.activeElement).toBe(button);
   });
   it('closes on a press elsewhere, not on one inside', () => {
-    popup.open();
+    popover.open();
     panel.dispatchEvent(new Event('pointerdown', { bubbles: true }));
-    expect(popup.isOpen).toBe(true);
+    expect(popover.isOpen).toBe(true);
     document.body.dispatchEvent(new Event('pointerdown', { bubbles: true }));
-    expect(popup.isOpen).toBe(false);
+    expect(popover.isOpen).toBe(false);
   });
 });

@@ -1,0 +1,55 @@
+// Which controls of the page cannot be hit where they are drawn.
+
+/** Runs in the page: controls of the panels, or of what is open above them, that something else covers or the window cuts off,
+ * and panels that do. */
+function findUnreachable() {
+  const kControls = 'button, a[href], input, select, textarea, summary, [role="slider"], [tabindex="0"]';
+  const shows = (node) => {
+    const box = node.getBoundingClientRect();
+    return box.width > 1 && box.height > 1 && node.checkVisibility({ visibilityProperty: true });
+  };
+  const wanted = (node) =>
+    shows(node) && !node.closest('[inert], .unseen') && node.type !== 'file' && node.ariaHidden !== 'true';
+  const nameOf = (node) => {
+    const panel = node.closest('.panel, dialog, [popover]');
+    const word = node.ariaLabel || node.textContent.trim().slice(0, 24);
+    return `${(panel?.className ?? 'scene').split(' ')[0]}: ${word || node.id || node.localName}`;
+  };
+  const isIn = (hit, node) => hit !== null && (node.contains(hit) || (node.closest('label')?.contains(hit) ?? false));
+
+  const dialog = [...document.querySelectorAll('dialog[open]')].at(-1);
+  const popovers = [...document.querySelectorAll('#ui [popover]')].filter((node) => node.matches(':popover-open'));
+  const menus = popovers.filter((node) => node.matches('[role], .panel') && node.role !== 'tooltip');
+  const open = dialog ?? menus.at(-1);
+  const root = open ?? document.querySelector('#ui');
+  const covered = [];
+  const outside = [];
+  for (const node of [...root.querySelectorAll(kControls)].filter(wanted)) {
+    node.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+    const box = node.getBoundingClientRect();
+    const [x, y] = [box.left + box.width / 2, box.top + box.height / 2];
+    const hit = document.elementFromPoint(x, y);
+    if (x < 0 || y < 0 || x > innerWidth || y > innerHeight) outside.push(nameOf(node));
+    else if (!isIn(hit, node)) covered.push(`${nameOf(node)} (below ${hit ? nameOf(hit) : 'nothing'})`);
+  }
+  const panels = open ? [open] : [...document.querySelectorAll('#ui .panel')];
+  for (const panel of panels.filter(shows)) {
+    const box = panel.getBoundingClientRect();
+    if (box.left < -0.5 || box.top < -0.5 || box.right > innerWidth + 0.5 || box.bottom > innerHeight + 0.5)
+      outside.push(`${panel.className} as a whole`);
+  }
+  scrollTo(0, 0);
+  return [...covered.map((what) => `covered: ${what}`), ...outside.map((what) => `outside: ${what}`)];
+}
+
+export const unreachable = (studio) => studio.page.evaluate(findUnreachable);
+
+/** Presses the first of these that is visible; whether there was one. */
+export const press = (studio, selector) =>
+  studio.page.evaluate((wanted) => {
+    const found = [...document.querySelectorAll(wanted)].find(
+      (node) => node.getClientRects().length > 0 && !node.disabled,
+    );
+    found?.click();
+    return found !== undefined;
+  }, selector);
