@@ -45,7 +45,7 @@ const kGap = 12;
 const kSide = 14;
 
 /** At the upper and the lower edge. */
-const kEdges: readonly PanelName[] = ['scenario', 'groups', 'layers', 'phone-bar', 'playback', 'readout', 'formations'];
+const kEdges: readonly PanelName[] = ['scenario', 'groups', 'layers', 'phone-bar', 'readout'];
 const kNeedServer = ['scenario', 'formations', 'playback', 'empty', 'orders', 'queue'] as const satisfies PanelName[];
 
 /** What tells of losses, messages and a control that is in use, below each other. */
@@ -119,15 +119,15 @@ export class StudioShell {
   padding(): Padding {
     const { layout } = this.store_.state;
     const height = window.innerHeight;
-    const edge = (name: PanelName): DOMRect | null => {
-      const box = this.layout_.panel(name)?.getBoundingClientRect();
+    const wide = layout === 'desktop' || layout === 'landscape';
+    const boxOf = (panel: HTMLElement | undefined): DOMRect | null => {
+      const box = panel?.getBoundingClientRect();
       return box && box.height > 0 ? box : null;
     };
-    const boxes = kEdges.map(edge).filter((box) => box !== null);
-    // On phones the groups and figures stand on the sheet.
+    const edge = (name: PanelName): DOMRect | null => boxOf(this.layout_.panel(name));
+    const boxes = [...kEdges.map(edge), boxOf(this.layout_.area('sheet'))].filter((box) => box !== null);
     const [above, below] = [boxes.filter((box) => box.top < height / 2), boxes.filter((box) => box.top >= height / 2)];
     const top = Math.max(0, ...above.map((box) => box.bottom)) + kHeadroom;
-    const wide = layout === 'desktop' || layout === 'landscape';
     const foot = height - Math.min(height, ...below.map((box) => box.top));
     const [left, right] = [edge('formations')?.right ?? 0, edge(layout === 'landscape' ? 'playback' : 'orders')?.left];
     return {

@@ -15,7 +15,9 @@ function findUnreachable() {
     const word = node.ariaLabel || node.textContent.trim().slice(0, 24);
     return `${(panel?.className ?? 'scene').split(' ')[0]}: ${word || node.id || node.localName}`;
   };
-  const isIn = (hit, node) => hit !== null && (node.contains(hit) || (node.closest('label')?.contains(hit) ?? false));
+  // What lets presses through is held by what it stands in.
+  const held = (node) => (getComputedStyle(node).pointerEvents === 'none' ? held(node.parentElement) : node);
+  const isIn = (hit, node) => hit !== null && [held(node), node.closest('label')].some((one) => one?.contains(hit));
 
   const dialog = [...document.querySelectorAll('dialog[open]')].at(-1);
   const popovers = [...document.querySelectorAll('#ui [popover]')].filter((node) => node.matches(':popover-open'));

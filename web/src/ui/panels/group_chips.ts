@@ -15,6 +15,8 @@ import type { StudioStore } from '../../model/studio_store';
 const kNamed = 4;
 /** Two presses within this time are a double press [ms]. */
 const kTwice = 500;
+/** So much of the chip beside it is in sight, too [CSS px]. */
+const kBeside = 24;
 
 export class GroupChips {
   readonly root = element('div', { class: 'groups panel', role: 'toolbar', 'aria-label': 'Groups' });
@@ -28,6 +30,7 @@ export class GroupChips {
   private readonly focus_: ToolbarFocus;
   private last_ = { index: -1, time: -kTwice };
   private shownKey_ = '';
+  private active_ = 0;
   private groups_: readonly number[] = [];
   private readonly drag_ = new ChipDrag(
     (chip) => this.groups_[[...this.root.children].indexOf(chip)],
@@ -54,6 +57,18 @@ export class GroupChips {
     this.root.hidden = state.groups.length === 0;
     this.root.classList.toggle('many', state.groups.length > kNamed);
     state.groups.forEach((group, i) => this.update(this.root.children[i]!, group, state));
+    if (state.active !== this.active_) this.reveal(state.active);
+  }
+
+  /** Where chips are scrolled, the active group's is in sight. */
+  private reveal(active: number): void {
+    this.active_ = active;
+    const chip = this.root.children[active] as HTMLElement | undefined;
+    if (!chip) return;
+    const [left, right] = [chip.offsetLeft, chip.offsetLeft + chip.offsetWidth];
+    if (left < this.root.scrollLeft) this.root.scrollLeft = left - kBeside;
+    else if (right > this.root.scrollLeft + this.root.clientWidth)
+      this.root.scrollLeft = right - this.root.clientWidth + kBeside;
   }
 
   private chip(group: GroupInfo, index: number): HTMLButtonElement {

@@ -19,7 +19,7 @@ function place(button: HTMLElement, panel: HTMLElement, placement: Placement): v
   });
   const middleware = [
     offset(kGap),
-    flip({ padding: kGap, fallbackStrategy: 'bestFit' }),
+    flip({ padding: kGap, fallbackAxisSideDirection: 'start' }),
     shift({ padding: kGap }),
     room,
   ];
@@ -81,7 +81,7 @@ export class Popover {
 
   /** A button that its layout hides takes what it has opened along. */
   private follow(): void {
-    if (this.button_.getClientRects().length === 0) this.close(false);
+    if (this.button_.checkVisibility?.() === false) this.close(false);
     else place(this.button_, this.panel_, this.placement_);
   }
 
