@@ -102,6 +102,7 @@ export class StudioShell {
     for (const [name, panel] of Object.entries(panels) as [PanelName, HTMLElement][]) this.layout_.add(name, panel);
     this.page_.append(
       new CrowdArrows(store_, actions).root,
+      ...playback.inputs,
       this.live.root,
       new HelpDialog(store_, actions, shortcuts).root,
       new SchemeDialog(store_, actions).root,
@@ -125,10 +126,12 @@ export class StudioShell {
       return box && box.height > 0 ? box : null;
     };
     const edge = (name: PanelName): DOMRect | null => boxOf(this.layout_.panel(name));
-    const boxes = [...kEdges.map(edge), boxOf(this.layout_.area('sheet'))].filter((box) => box !== null);
-    const [above, below] = [boxes.filter((box) => box.top < height / 2), boxes.filter((box) => box.top >= height / 2)];
+    const boxes = kEdges.map(edge).filter((box) => box !== null);
+    const above = boxes.filter((box) => box.top < height / 2);
+    const below = boxes.filter((box) => box.top >= height / 2);
+    const sheet = boxOf(this.layout_.area('sheet'));
     const top = Math.max(0, ...above.map((box) => box.bottom)) + kHeadroom;
-    const foot = height - Math.min(height, ...below.map((box) => box.top));
+    const foot = height - Math.min(height, sheet?.top ?? height, ...below.map((box) => box.top));
     const [left, right] = [edge('formations')?.right ?? 0, edge(layout === 'landscape' ? 'playback' : 'orders')?.left];
     return {
       top,

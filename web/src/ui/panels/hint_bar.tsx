@@ -1,11 +1,12 @@
 // Shown on the first visit: how to make a point, a line and an area, and how to move the camera. The words follow the
-// last input device; what is done is ticked, and goes.
+// last input device; what is done is ticked.
 
-import { element, setText } from '../widgets/dom';
 import type { StudioActions } from '../../model/studio_actions';
 import { kHintSteps, type InputKind } from '../../model/studio_state';
-import { icon } from '../widgets/icons';
 import type { StudioStore } from '../../model/studio_store';
+import { Icon } from '../widgets/buttons';
+import { element } from '../widgets/dom';
+import { drawPanel } from '../widgets/panel';
 
 interface Words {
   readonly title: string;
@@ -40,43 +41,39 @@ const kPictures = [
   `<path class="arrows" d="M20 4v32 M4 20h32 M15.5 8.5 20 4l4.500 4.500 M15.500 31.500 20 36l4.500-4.500 M8.500 15.500 4 20l4.500 4.500 M31.500 15.500 36 20l-4.500 4.500"/>`,
 ];
 
-function picture(body: string): SVGSVGElement {
-  const template = document.createElement('template');
-  template.innerHTML = `<svg class="hint-picture" width="40" height="40" viewBox="0 0 40 40" aria-hidden="true">${body}</svg>`;
-  return template.content.firstElementChild as SVGSVGElement;
-}
-
 export class HintBar {
   readonly root = element('section', { class: 'hint panel', 'aria-label': 'How to steer the crowd' });
 
   constructor(store: StudioStore, actions: StudioActions) {
-    const items = kPictures.map((body) => {
-      const title = element('strong');
-      const does = element('span', { class: 'secondary' });
-      const item = element(
-        'div',
-        { class: 'hint-item' },
-        picture(body),
-        element('div', { class: 'hint-words' }, title, does),
-        element('span', { class: 'hint-tick' }, icon('check'), element('span', { class: 'unseen' }, 'done')),
-      );
-      this.root.append(item);
-      return { item, title, does };
+    store.watch(['hint', 'link', 'loaded'], ({ hint, link, loaded }) => {
+      this.root.hidden = !hint || !loaded || link.phase === 'lost';
     });
-    const done = element('button', { type: 'button', class: 'soft hint-done' }, 'Got it');
-    done.addEventListener('click', () => actions.dismissHint());
-    this.root.append(done);
-    store.watch(['tried'], ({ tried }) => {
-      kHintSteps.forEach((step, i) => items[i]!.item.classList.toggle('done', tried.includes(step)));
-      const next = kHintSteps.findIndex((step) => !tried.includes(step));
-      items.forEach(({ item }, i) => item.classList.toggle('next', i === next));
-    });
-    store.watch(['input', 'hint', 'link', 'loaded'], (state) => {
-      this.root.hidden = !state.hint || !state.loaded || state.link.phase === 'lost';
-      kWords[state.input].forEach((words, i) => {
-        setText(items[i]!.title, words.title);
-        setText(items[i]!.does, words.does);
-      });
-    });
+    drawPanel(this.root, store, ['tried', 'input'], ({ tried, input }) => (
+      <>
+        {kHintSteps.map((step, i) => (
+          <div key={step} class={tried.includes(step) ? 'hint-item done' : 'hint-item'}>
+            <svg
+              class="hint-picture"
+              width="40"
+              height="40"
+              viewBox="0 0 40 40"
+              aria-hidden="true"
+              dangerouslySetInnerHTML={{ __html: kPictures[i]! }}
+            />
+            <div class="hint-words">
+              <strong>{kWords[input][i]!.title}</strong>
+              <span class="secondary">{kWords[input][i]!.does}</span>
+            </div>
+            <span class="hint-tick">
+              <Icon name="check" />
+              <span class="unseen">done</span>
+            </span>
+          </div>
+        ))}
+        <button type="button" class="soft hint-done" onClick={() => actions.dismissHint()}>
+          Got it
+        </button>
+      </>
+    ));
   }
 }
