@@ -19,6 +19,16 @@ function findUnreachable() {
   const held = (node) => (getComputedStyle(node).pointerEvents === 'none' ? held(node.parentElement) : node);
   const isIn = (hit, node) => hit !== null && [held(node), node.closest('label')].some((one) => one?.contains(hit));
 
+  // Where no panel is seen a press is the scene's.
+  const blindSpots = () => {
+    const found = new Set();
+    for (let x = 10; x < innerWidth; x += 40)
+      for (let y = 10; y < innerHeight; y += 40) {
+        const hit = document.elementFromPoint(x, y);
+        if (!hit.closest('.panel, .sheet, canvas, svg')) found.add(`a press at ${x}, ${y} is caught by ${nameOf(hit)}`);
+      }
+    return [...found].slice(0, 2);
+  };
   const dialog = [...document.querySelectorAll('dialog[open]')].at(-1);
   const popovers = [...document.querySelectorAll('#ui [popover]')].filter((node) => node.matches(':popover-open'));
   const menus = popovers.filter((node) => node.matches('[role], .panel') && node.role !== 'tooltip');
@@ -41,6 +51,7 @@ function findUnreachable() {
       outside.push(`${panel.className} as a whole`);
   }
   scrollTo(0, 0);
+  if (open === undefined) outside.push(...blindSpots());
   return [...covered.map((what) => `covered: ${what}`), ...outside.map((what) => `outside: ${what}`)];
 }
 
