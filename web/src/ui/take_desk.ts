@@ -25,6 +25,7 @@ import { pathButton } from './lazy_path';
 import { openTake } from './takes';
 import { element } from './widgets/dom';
 import { LiveRegion } from './widgets/live_region';
+import './styles/takes.css';
 
 const kPicture = { width: 320, height: 180 };
 /** While recording the scene is pictured so often, in case another scenario ends the recording [ms]. */
@@ -111,6 +112,7 @@ export class TakeDesk implements TakeActions {
     client.on('takeKept', (kept) => void this.kept(kept));
     client.on('frame', ({ frame }) => this.observe((this.crowd_ = frame).step));
     client.on('welcome', () => void this.offerCutOff());
+    if (client.state.phase === 'open') void this.offerCutOff();
     store.watch(['shelf'], ({ shelf }) => {
       this.shelfPanel_.setOpen(shelf);
       if (shelf) void this.refresh();
@@ -121,7 +123,8 @@ export class TakeDesk implements TakeActions {
 
   // The open take.
 
-  private changed({ open, ...take }: TakeState): void {
+  /** The server tells which take is open. */
+  changed({ open, ...take }: TakeState): void {
     const before = this.take_;
     this.take_ = open ? take : null;
     document.documentElement.toggleAttribute('data-take', open);
@@ -374,6 +377,8 @@ export class TakeDesk implements TakeActions {
     }
     const found = this.takes_.find((take) => !take.finished && !take.recording && !this.seen().includes(take.name));
     if (!found) return;
+    // Once: it lies on the shelf.
+    this.markSeen(found.name);
     this.showCard(found, 'cut off');
     this.live_.say('A recording was cut off, and is safe');
   }

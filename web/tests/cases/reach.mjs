@@ -217,6 +217,17 @@ export async function watching(studio) {
     await studio.page.evaluate((n) => document.querySelectorAll('.export-kind input')[n].click(), kind);
     await reach.look(`export ${kind}`);
   }
-  await studio.page.keyboard.press('Escape');
   reach.tell();
+  await exportKeepsFocus(studio);
+}
+
+/** After an export the dialog has the focus, so that Escape closes it. */
+async function exportKeepsFocus(studio) {
+  await studio.page.locator('.export-kind input').nth(1).check();
+  await studio.page.locator('.export-begin').press('Enter');
+  await studio.until('the picture', () => /Saved/.test(document.querySelector('.export-said').textContent));
+  const inside = await studio.page.evaluate(() => document.activeElement.closest('.export-dialog') !== null);
+  expect(inside, 'after an export the focus is in its dialog');
+  await studio.page.keyboard.press('Escape');
+  await studio.until('the end of the export', () => !document.querySelector('.export-dialog').open);
 }

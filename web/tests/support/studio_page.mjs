@@ -151,6 +151,12 @@ export class StudioPage extends DrivenPage {
     await this.send({ type: 'SetSpeed', factor: 1 });
   }
 
+  /** Chooses what the sheet of a phone shows; wider windows show all of it. */
+  async tab(name) {
+    const tab = this.page.locator(`[role="tab"][data-tab="${name}"]`);
+    if (await tab.isVisible()) await tab.click();
+  }
+
   shot(name) {
     return this.page.screenshot({ path: `${shots}${name}-${this.size}.png` });
   }
