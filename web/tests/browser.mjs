@@ -43,12 +43,8 @@ import { startMadeCrowd } from './support/made_crowd.mjs';
 import { kPort, startStudio } from './support/server.mjs';
 import { StudioPage } from './support/studio_page.mjs';
 
-/** The open place, with room to build. */
 const kOpen = { scenario: 'scenarios/open.json', room: true };
 const kTablets = ['desktop', 'landscape', 'portrait'];
-const kAllSizes = ['wide', 'landscape', 'tablet', 'portrait', 'phone'];
-/** Two groups, and an invitation to direct. */
-const kTogether = { scenario: 'web/tests/scenarios/two-groups.json', options: ['--lan'], search: '?quality=light' };
 
 /** Name, test, sizes, and options of the page. `room`: zoomed out, to have room to drag; `shared`: one page serves all such
  * cases of a size; `counts`: calls of WebGL are counted; a `scenario` gets a server of its own; `bare`: the test starts its own
@@ -189,8 +185,7 @@ const kCases = [
     ['wide', 'landscape', 'portrait', 'phone'],
     { scenario: 'scenarios/paper/x03-long-house.json', everySize: true },
   ],
-  ['reach: steering', reach.steering, kAllSizes, { ...kTogether, hint: true, everySize: true }],
-  ['reach: watching a take', reach.watching, kAllSizes, { ...kTogether, everySize: true }],
+  ...reach.kReachCases,
   ['build: by mouse', build.byMouse, ['desktop'], { touch: false, scenario: 'scenarios/open.json', room: true }],
   ['build: corners', buildCorners.cornersAndGuides, ['desktop', 'portrait', 'phone'], kOpen],
   ['group colour: by mouse', groupColour.byMouse, ['desktop'], { ...kOpen, touch: false }],
@@ -239,12 +234,7 @@ const kCases = [
   ['takes: life of a take', takes.life, ['desktop', 'phone'], { scenario: 'web/tests/scenarios/hundred.json' }],
   ['takes: scrub and trim', takes.scrubAndTrim, ['landscape', 'phone'], { scenario: 'scenarios/open.json' }],
   ['takes: again and on top', takes.againAndOnTop, ['desktop'], { scenario: 'web/tests/scenarios/two-groups.json' }],
-  [
-    'takes: film camera',
-    film.filmCamera,
-    ['desktop', 'portrait', 'phone'],
-    { scenario: 'scenarios/open.json', release: true },
-  ],
+  ['takes: film camera', film.filmCamera, ['desktop', 'portrait', 'phone'], { ...kOpen, room: false, release: true }],
   [
     'paths: by finger',
     (studio) => paths.path(studio, false),

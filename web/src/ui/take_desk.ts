@@ -11,7 +11,6 @@ import { kTakeEnd, takeTitle, type OpenTake, type ShelvedTake, type TakeAbout } 
 import type { StudioScene } from '../scene/studio_scene';
 import { ExportDesk } from './export_desk';
 import { FilmCameraDesk } from './film_camera_desk';
-import { FilmCameraMenu } from './panels/film_camera_menu';
 import { TakeCard, type CardKind } from './panels/take_card';
 import { TakeShelf } from './panels/take_shelf';
 import { TimeLine } from './panels/time_line';
@@ -21,7 +20,6 @@ import { save } from '../link/answers';
 import { ShelfLink, pictureAddress, takeAddress } from './shelf_link';
 import { scenarioBehind } from './studio_controller';
 import { TakeCopies, isCopyOnly, withCopies } from './take_copies';
-import { pathButton } from './lazy_path';
 import { openTake } from './takes';
 import { element } from './widgets/dom';
 import { LiveRegion } from './widgets/live_region';
@@ -57,13 +55,7 @@ export class TakeDesk implements TakeActions {
   private readonly copies_ = new TakeCopies();
   private readonly live_ = new LiveRegion();
   private crowd_: Pick<StudioFrame, 'x' | 'y'> | null = null;
-  private readonly cameraMenu_ = new FilmCameraMenu({
-    keepView: () => this.film_.keep(this.step_),
-    removeView: (step) => this.film_.remove(step),
-    showMoment: (step) => this.seek(step),
-    filmCamera: (on) => this.film_.switch(on),
-  });
-  private readonly line_ = new TimeLine(this, this.cameraMenu_.root);
+  private readonly line_: TimeLine;
   private readonly film_: FilmCameraDesk;
   private readonly card_ = new TakeCard(this);
   private readonly shelfPanel_: TakeShelf;
@@ -79,7 +71,13 @@ export class TakeDesk implements TakeActions {
 
   constructor(private readonly parts_: TakeDeskParts) {
     const { client, store, view, canvas, page } = parts_;
-    this.line_.addTool(pathButton(store));
+    const film = {
+      keepView: () => this.film_.keep(this.step_),
+      removeView: (step: number) => this.film_.remove(step),
+      showMoment: (step: number) => this.seek(step),
+      filmCamera: (on: boolean) => this.film_.switch(on),
+    };
+    this.line_ = new TimeLine(this, film, store);
     this.film_ = new FilmCameraDesk(view.camera, () => this.showKeys());
     this.scrubber_ = new Scrubber((message) => client.send(message));
     const file = element('input', {
@@ -155,7 +153,7 @@ export class TakeDesk implements TakeActions {
 
   private showKeys(): void {
     const { keys, on } = this.film_;
-    this.cameraMenu_.show(keys, on, this.take_?.stepTime ?? 1 / 60);
+    this.line_.setFilm(keys, on);
     this.line_.track.setKeys(keys.map(({ step }) => step));
   }
 

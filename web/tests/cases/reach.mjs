@@ -140,7 +140,7 @@ async function giveOrders(studio) {
   await studio.send({ type: 'Commands', commands });
 }
 
-export async function steering(studio) {
+async function steering(studio) {
   const reach = new Reach(studio);
   await reach.look('first visit');
   await press(studio, '.hint-done');
@@ -191,7 +191,7 @@ async function tabs(studio) {
   return names.length > 0 ? names : ['formation'];
 }
 
-export async function watching(studio) {
+async function watching(studio) {
   await record(studio, 0.6);
   await stop(studio);
   await play(studio);
@@ -231,3 +231,17 @@ async function exportKeepsFocus(studio) {
   await studio.page.keyboard.press('Escape');
   await studio.until('the end of the export', () => !document.querySelector('.export-dialog').open);
 }
+
+const kAllSizes = ['wide', 'landscape', 'tablet', 'portrait', 'phone'];
+/** Two groups, and an invitation to direct. */
+const kTogether = {
+  scenario: 'web/tests/scenarios/two-groups.json',
+  options: ['--lan'],
+  search: '?quality=light',
+  everySize: true,
+};
+
+export const kReachCases = [
+  ['reach: steering', steering, kAllSizes, { ...kTogether, hint: true }],
+  ['reach: watching a take', watching, kAllSizes, kTogether],
+];

@@ -50,7 +50,7 @@ function findUnreachable() {
     if (box.left < -0.5 || box.top < -0.5 || box.right > innerWidth + 0.5 || box.bottom > innerHeight + 0.5)
       outside.push(`${panel.className} as a whole`);
   }
-  scrollTo(0, 0);
+  document.scrollingElement.scrollTo(0, 0);
   if (open === undefined) outside.push(...blindSpots());
   return [...covered.map((what) => `covered: ${what}`), ...outside.map((what) => `outside: ${what}`)];
 }
