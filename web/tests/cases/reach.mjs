@@ -155,6 +155,11 @@ async function steering(studio) {
   await reach.panels();
   await key(studio, 'Shift+E');
   await studio.page.locator('.build-panel').waitFor();
+  const hiddenTools = await studio.page.evaluate(() => {
+    const { scrollWidth, clientWidth } = document.querySelector('.build-tools');
+    return scrollWidth - clientWidth;
+  });
+  expect(hiddenTools <= 0, `${hiddenTools} px of the tools are out of sight`);
   for (const tool of await studio.page
     .locator('.build-tool')
     .count()
@@ -177,6 +182,8 @@ async function steering(studio) {
   await reach.look('recording');
   await stop(studio);
   await reach.look('card of a take');
+  if (await press(studio, '.order-tile[aria-label="Conduct"]')) await reach.look('conduct beside the card');
+  await studio.page.keyboard.press('Escape');
   await press(studio, '.card-close');
   reach.tell();
 }
@@ -204,7 +211,9 @@ async function watching(studio) {
   await press(studio, '.time-path');
   await studio.page.locator('.path-bar').waitFor();
   await key(studio, 'v');
-  await reach.look('path');
+  await key(studio, 'Control+z');
+  await studio.page.locator('.notice').waitFor();
+  await reach.look('path, legend and a notice');
   await key(studio, 'v');
   await press(studio, '.path-close');
   await press(studio, '.time-export');
