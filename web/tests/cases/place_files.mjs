@@ -2,6 +2,7 @@
 import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { inSight } from '../support/reach.mjs';
 import { expect } from '../support/expect.mjs';
 import { madeCharacter } from '../support/made_glb.mjs';
 import { madeMap, madeModel, madeObj, madeTown } from '../support/made_places.mjs';
@@ -153,13 +154,6 @@ const obstacles = (studio) =>
   }));
 
 /** GeoJSON by picker as a new place, and by drop into the present one, which one undo takes back. */
-/** A press on the middle of it, where it is, is its own. */
-const hits = (locator) =>
-  locator.evaluate((node) => {
-    const { left, top, width, height } = node.getBoundingClientRect();
-    return node.contains(document.elementFromPoint(left + width / 2, top + height / 2));
-  });
-
 export async function importTown(studio, server) {
   await openPlaces(studio, 'Import a file');
   const dialog = dialogOf(studio);
@@ -174,8 +168,7 @@ export async function importTown(studio, server) {
   await studio.wait(200);
   await serious(studio, 'import of GeoJSON');
   await fits(studio, 'import');
-  for (const name of ['Add to this place', 'New place'])
-    expect(await hits(dialog.locator('.place-import button', { hasText: name })), `${name} is in sight`);
+  await inSight(dialog.locator('.place-acts button'));
   await studio.shot('place-import-town');
   await dialog.locator('label', { hasText: 'Scale' }).locator('input').fill('0.5');
   await studio.eventually(async () => expect(/on 4\d × \d+ m/.test(await said()), `half as large: ${await said()}`));

@@ -1,4 +1,5 @@
 // Which controls of the page cannot be hit where they are drawn.
+import { expect } from './expect.mjs';
 
 /** Runs in the page: controls of the panels, or of what is open above them, that something else covers or the window cuts off,
  * and panels that do. */
@@ -66,3 +67,17 @@ export const press = (studio, selector) =>
     found?.click();
     return found !== undefined;
   }, selector);
+
+/** Those of them that are shown are hit where they are, before anything is scrolled. */
+export async function inSight(locator) {
+  const out = await locator.evaluateAll((nodes) =>
+    nodes
+      .filter((node) => node.checkVisibility())
+      .filter((node) => {
+        const { left, top, width, height } = node.getBoundingClientRect();
+        return !node.contains(document.elementFromPoint(left + width / 2, top + height / 2));
+      })
+      .map((node) => node.textContent),
+  );
+  expect(out.length === 0, `out of sight: ${out.join(', ')}`);
+}

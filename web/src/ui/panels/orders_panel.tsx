@@ -124,7 +124,7 @@ function Buttons({ state, actions }: Props): VNode {
         tip="Its orders again and again"
         act={() => actions.togglePatrol()}
       />
-      <Menu opener={conduct} class="order-details" label="Conduct" placement="left-start">
+      <Menu opener={conduct} class="order-details" label="Conduct" placement="left-start" besidePanel>
         {() => <ConductSettings style={state.style} conduct={unit.conduct} actions={actions} />}
       </Menu>
       <Tile

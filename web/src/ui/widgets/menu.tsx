@@ -12,7 +12,8 @@ export interface MenuProps {
   readonly class: string;
   readonly label: string;
   readonly placement?: Placement;
-  readonly opened?: () => void;
+  /** It stands beside the whole panel of its button. */
+  readonly besidePanel?: boolean;
   /** `close` closes it, as a choice does. */
   readonly children: (close: () => void) => ComponentChildren;
 }
@@ -23,8 +24,9 @@ export class Menu extends Component<MenuProps> {
   private popover_: Popover | null = null;
 
   override componentDidMount(): void {
-    const opened = (): void => this.props.opened?.();
-    this.popover_ = new Popover(this.button_!, this.panel_!, this.props.placement, opened);
+    const button = this.button_!;
+    const beside = (): Element => (this.props.besidePanel && button.closest('.panel')) || button;
+    this.popover_ = new Popover(button, this.panel_!, this.props.placement, beside);
   }
 
   private readonly close = (): void => this.popover_?.close(true);

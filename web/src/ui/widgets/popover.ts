@@ -9,7 +9,7 @@ const kGap = 8;
 /** What is lower than this had better stand on the other side of its button [CSS px]. */
 const kLeastHeight = 120;
 
-function place(button: HTMLElement, panel: HTMLElement, placement: Placement): void {
+function place(button: Element, panel: HTMLElement, placement: Placement): void {
   const room = size({
     padding: kGap,
     apply: ({ availableHeight, availableWidth }) => {
@@ -19,7 +19,7 @@ function place(button: HTMLElement, panel: HTMLElement, placement: Placement): v
   });
   const middleware = [
     offset(kGap),
-    flip({ padding: kGap, fallbackAxisSideDirection: 'start' }),
+    flip({ padding: kGap, crossAxis: false, fallbackAxisSideDirection: 'start' }),
     shift({ padding: kGap }),
     room,
   ];
@@ -36,7 +36,8 @@ export class Popover {
     private readonly button_: HTMLElement,
     private readonly panel_: HTMLElement,
     private readonly placement_: Placement = 'bottom-start',
-    private readonly opened_: () => void = () => undefined,
+    /** What it stands beside, where that is more than the button. */
+    private readonly beside_: () => Element = () => button_,
   ) {
     button_.setAttribute('aria-expanded', 'false');
     panel_.classList.add('popover');
@@ -59,12 +60,11 @@ export class Popover {
   }
 
   open(): void {
-    this.opened_();
     this.panel_.hidden = false;
     // Browsers of before 2024 have no top layer for it: there it stands in its panel.
     this.panel_.showPopover?.();
     setAttribute(this.button_, 'aria-expanded', 'true');
-    this.follow_ = autoUpdate(this.button_, this.panel_, () => this.follow());
+    this.follow_ = autoUpdate(this.beside_(), this.panel_, () => this.follow());
     const items = this.items();
     (items.find((item) => item.getAttribute('aria-current') === 'true') ?? items[0])?.focus();
   }
@@ -82,7 +82,7 @@ export class Popover {
   /** A button that its layout hides takes what it has opened along. */
   private follow(): void {
     if (this.button_.checkVisibility?.() === false) this.close(false);
-    else place(this.button_, this.panel_, this.placement_);
+    else place(this.beside_(), this.panel_, this.placement_);
   }
 
   private items(): HTMLElement[] {
