@@ -23,6 +23,7 @@ import { TakeCopies, isCopyOnly, withCopies } from './take_copies';
 import { openTake } from './takes';
 import { element } from './widgets/dom';
 import { LiveRegion } from './widgets/live_region';
+import './styles/shelf.css';
 import './styles/takes.css';
 
 const kPicture = { width: 320, height: 180 };

@@ -1,33 +1,9 @@
 // What a button opens above everything else: Escape, a press outside or a choice closes it, and the button has the focus again.
 // It stands in the browser's top layer, beside its button and inside the window whatever their sizes.
 
-import { autoUpdate, computePosition, flip, offset, shift, size, type Placement } from '@floating-ui/dom';
+import type { Placement } from '@floating-ui/dom';
+import { keepBeside } from './beside';
 import { setAttribute } from './dom';
-
-/** Between a button and what it opens, and from there to the window's edge [CSS px]. */
-const kGap = 8;
-/** What is lower than this had better stand on the other side of its button [CSS px]. */
-const kLeastHeight = 120;
-
-function place(button: Element, panel: HTMLElement, placement: Placement): void {
-  const room = size({
-    padding: kGap,
-    apply: ({ availableHeight, availableWidth }) => {
-      panel.style.maxHeight = `${Math.max(kLeastHeight, Math.floor(availableHeight))}px`;
-      panel.style.maxWidth = `${Math.floor(availableWidth)}px`;
-    },
-  });
-  const middleware = [
-    offset(kGap),
-    flip({ padding: kGap, crossAxis: false, fallbackAxisSideDirection: 'start' }),
-    shift({ padding: kGap }),
-    room,
-  ];
-  void computePosition(button, panel, { strategy: 'fixed', placement, middleware }).then(({ x, y }) => {
-    panel.style.left = `${Math.round(x)}px`;
-    panel.style.top = `${Math.round(y)}px`;
-  });
-}
 
 export class Popover {
   private follow_: (() => void) | null = null;
@@ -64,7 +40,8 @@ export class Popover {
     // Browsers of before 2024 have no top layer for it: there it stands in its panel.
     this.panel_.showPopover?.();
     setAttribute(this.button_, 'aria-expanded', 'true');
-    this.follow_ = autoUpdate(this.beside_(), this.panel_, () => this.follow());
+    const how = { placement: this.placement_, shrinks: true };
+    this.follow_ = keepBeside(this.beside_(), this.panel_, how, () => this.close(false));
     const items = this.items();
     (items.find((item) => item.getAttribute('aria-current') === 'true') ?? items[0])?.focus();
   }
@@ -77,12 +54,6 @@ export class Popover {
     this.panel_.hidden = true;
     setAttribute(this.button_, 'aria-expanded', 'false');
     if (giveFocusBack) this.button_.focus();
-  }
-
-  /** A button that its layout hides takes what it has opened along. */
-  private follow(): void {
-    if (this.button_.checkVisibility?.() === false) this.close(false);
-    else place(this.beside_(), this.panel_, this.placement_);
   }
 
   private items(): HTMLElement[] {
