@@ -3,6 +3,7 @@
 import type { StudioActions } from '../../model/studio_actions';
 import type { StudioStore } from '../../model/studio_store';
 import { element } from '../widgets/dom';
+import { Held } from '../widgets/held';
 import { Menu, MenuItem } from '../widgets/menu';
 import { drawPanel } from '../widgets/panel';
 import { LayerBar } from './layer_bar';
@@ -13,7 +14,6 @@ export class PhoneBar {
   /** `openTake` and `openCharacter` let the visitor choose files. */
   constructor(store: StudioStore, actions: StudioActions, openTake: () => void, openCharacter: () => void) {
     const layers = new LayerBar(store, actions).root;
-    const holdLayers = (made: HTMLElement | null): void => made?.append(layers);
     drawPanel(this.root, store, ['ownCharacter'], ({ ownCharacter }) => (
       <>
         <Menu
@@ -22,7 +22,7 @@ export class PhoneBar {
           label="What is shown"
           placement="bottom-end"
         >
-          {() => <div ref={holdLayers} />}
+          {() => <Held make={() => layers} />}
         </Menu>
         <Menu
           opener={{ icon: 'more', label: 'More', iconOnly: true }}

@@ -8,6 +8,7 @@ import type { OpenTake } from '../../model/take_facts';
 import type { CameraKey } from '../../scene/camera/film_camera';
 import { ToolButton } from '../widgets/buttons';
 import { element } from '../widgets/dom';
+import { Held } from '../widgets/held';
 import { FilmCameraMenu, type FilmCameraActions } from './film_camera_menu';
 import { SpeedMenu } from './speed_menu';
 import { TimeTrack } from './time_track';
@@ -78,7 +79,9 @@ export class TimeLine {
             act={() => this.actions_.leaveTake()}
           />
         </div>
-        <div class="time-track-holder" ref={this.holdTrack} />
+        <div class="time-track-holder">
+          <Held make={() => this.track.root} />
+        </div>
         <p class="time-stored" role="note" hidden={!take?.stored}>
           {kStored}
         </p>
@@ -86,8 +89,6 @@ export class TimeLine {
       this.root,
     );
   }
-
-  private readonly holdTrack = (holder: HTMLElement | null): void => holder?.append(this.track.root);
 
   private tools(): VNode {
     const { actions_: actions, take_: take } = this;

@@ -1,11 +1,13 @@
 // What the colours of an overlay mean, and for Cost the figures of the chosen character.
 
-import { OverlayKind } from '../../protocol/messages';
-import { element, setText } from '../widgets/dom';
+import type { VNode } from 'preact';
+import type { FieldScale } from '../../model/field_scale';
 import { formatLength } from '../../model/formatters';
 import type { StudioState } from '../../model/studio_state';
-import type { FieldScale } from '../../model/field_scale';
 import type { StudioStore } from '../../model/studio_store';
+import { OverlayKind } from '../../protocol/messages';
+import { element } from '../widgets/dom';
+import { drawPanel } from '../widgets/panel';
 
 interface LegendText {
   readonly title: string;
@@ -48,43 +50,47 @@ export function legendText(state: StudioState): LegendText | null {
   }
 }
 
-export class LegendPanel {
-  private readonly title_ = element('h2');
-  private readonly about_ = element('p', { class: 'secondary' });
-  private readonly ends_ = element('div', { class: 'ramp-ends secondary' });
-  private readonly figures_ = element('dl');
-  readonly root = element(
-    'section',
-    { class: 'legend panel', 'aria-label': 'Legend' },
-    this.title_,
-    this.about_,
-    element('div', { class: 'ramp' }),
-    this.ends_,
-    this.figures_,
+function Figures({ state }: { readonly state: StudioState }): VNode | null {
+  const { cost } = state;
+  if (state.overlay !== OverlayKind.Cost || state.chosen < 0 || !cost) return null;
+  const figures = [
+    ['Cost from here', formatLength(cost.cost)],
+    ['Way to walk', `${formatLength(cost.way)} m`],
+    ['Straight line', `${formatLength(cost.straight)} m`],
+  ] as const;
+  return (
+    <dl>
+      {figures.map(([label, value]) => (
+        <>
+          <dt class="secondary">{label}</dt>
+          <dd>{value}</dd>
+        </>
+      ))}
+    </dl>
   );
+}
+
+export class LegendPanel {
+  readonly root = element('section', { class: 'legend panel', 'aria-label': 'Legend' });
 
   constructor(store: StudioStore) {
-    store.watch(['overlay', 'chosen', 'cost', 'ramp'], (state) => this.show(state));
-  }
-
-  private show(state: StudioState): void {
-    const text = legendText(state);
-    this.root.hidden = text === null;
-    if (!text) return;
-    setText(this.title_, text.title);
-    setText(this.about_, text.about);
-    this.ends_.replaceChildren(...text.ends.map((end) => element('span', {}, end)));
-    const { cost } = state;
-    this.figures_.hidden = state.overlay !== OverlayKind.Cost || state.chosen < 0 || cost === null;
-    if (!cost) return;
-    this.figures_.replaceChildren(
-      ...this.figure('Cost from here', formatLength(cost.cost)),
-      ...this.figure('Way to walk', `${formatLength(cost.way)} m`),
-      ...this.figure('Straight line', `${formatLength(cost.straight)} m`),
-    );
-  }
-
-  private figure(label: string, value: string): HTMLElement[] {
-    return [element('dt', { class: 'secondary' }, label), element('dd', {}, value)];
+    drawPanel(this.root, store, ['overlay', 'chosen', 'cost', 'ramp'], (state) => {
+      const text = legendText(state);
+      this.root.hidden = text === null;
+      if (!text) return null;
+      return (
+        <>
+          <h2>{text.title}</h2>
+          <p class="secondary">{text.about}</p>
+          <div class="ramp" />
+          <div class="ramp-ends secondary">
+            {text.ends.map((end) => (
+              <span key={end}>{end}</span>
+            ))}
+          </div>
+          <Figures state={state} />
+        </>
+      );
+    });
   }
 }
