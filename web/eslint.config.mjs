@@ -103,11 +103,14 @@ export default tseslint.config(
   { ignores: ['dist/', 'node_modules/', 'test-results/', ...kGenerated] },
   js.configs.recommended,
   {
-    files: ['src/**/*.ts', 'vite*.config.ts'],
+    files: ['src/**/*.{ts,tsx}', 'vite*.config.ts'],
     extends: [tseslint.configs.recommendedTypeChecked],
     languageOptions: { parserOptions: { projectService: true, tsconfigRootDir: import.meta.dirname } },
     plugins: { 'import-x': importX, page: { rules: { 'no-import-upward': noImportUpward } } },
-    settings: { 'import-x/resolver': { node: { extensions: ['.ts', '.mjs', '.js'] } }, 'import-x/extensions': ['.ts'] },
+    settings: {
+      'import-x/resolver': { node: { extensions: ['.ts', '.tsx', '.mjs', '.js'] } },
+      'import-x/extensions': ['.ts', '.tsx'],
+    },
     rules: {
       '@typescript-eslint/naming-convention': ['error', ...kNaming, kConstants],
       '@typescript-eslint/consistent-type-imports': ['error', { fixStyle: 'inline-type-imports' }],
@@ -121,6 +124,18 @@ export default tseslint.config(
       'max-lines': ['error', 400],
       'max-lines-per-function': ['error', { max: 60, skipBlankLines: true, skipComments: true }],
       complexity: ['error', 15],
+    },
+  },
+  {
+    // A component is named as a type is.
+    files: ['src/**/*.tsx'],
+    rules: {
+      '@typescript-eslint/naming-convention': [
+        'error',
+        ...kNaming,
+        { selector: 'function', format: ['camelCase', 'PascalCase'] },
+        kConstants,
+      ],
     },
   },
   {

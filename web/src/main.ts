@@ -5,6 +5,7 @@ import './ui/styles/tokens.css';
 import './ui/styles/base.css';
 import './ui/styles/panels.css';
 import './ui/styles/messages.css';
+import './ui/styles/layout.css';
 import './ui/styles/layout_floating.css';
 import './ui/styles/layout_sheet.css';
 import './ui/styles/layout_phone.css';
@@ -14,7 +15,6 @@ import './ui/styles/queue.css';
 import './ui/styles/view.css';
 import './ui/styles/readout.css';
 import './ui/styles/shapes.css';
-import './ui/styles/takes.css';
 
 import { ask } from './link/answers';
 import { StudioClient } from './link/studio_client';
@@ -24,8 +24,8 @@ import { openMeasuresLazily } from './ui/lazy_measures';
 import { openPathsLazily } from './ui/lazy_path';
 import { openSequenceLazily } from './ui/lazy_sequence';
 import { openPlacesLazily } from './ui/lazy_places';
+import { openTakesLazily } from './ui/lazy_takes';
 import { StudioApp } from './ui/studio_app';
-import { TakeDesk } from './ui/take_desk';
 import { StudioView } from './scene/studio_view';
 
 function byId<T extends HTMLElement>(id: string, type: new () => T): T {
@@ -67,7 +67,7 @@ async function start(mode: string | undefined): Promise<object> {
   const app = new StudioApp(client, view, canvas, ui);
   const parts = { client, store: app.store, view, canvas, page: ui };
   app.desk.history.listen(client, canvas);
-  new TakeDesk(parts);
+  openTakesLazily(parts, firstSeen);
   openPlacesLazily({ ...parts, files: app.files });
   openBuildLazily({ ...parts, history: app.desk.history });
   openPathsLazily(parts);
@@ -104,9 +104,10 @@ function seen(): Promise<void> {
 async function connect(folder: string | undefined): Promise<void> {
   if (folder === undefined) return client.connect(socketAddress());
   const { startEngine } = await import('./link/engine/start_engine');
-  startEngine(client, folder, seen());
+  startEngine(client, folder, firstSeen);
 }
 
+const firstSeen = seen();
 const shown = start(kAbout['mode']);
 void shown
   .then(() => connect(kAbout['engine']))

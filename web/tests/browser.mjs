@@ -25,6 +25,7 @@ import * as overlays from './cases/overlays.mjs';
 import * as placeFiles from './cases/place_files.mjs';
 import * as people from './cases/people.mjs';
 import * as queue from './cases/queue.mjs';
+import * as reach from './cases/reach.mjs';
 import * as realMaps from './cases/real_maps.mjs';
 import * as scenarios from './cases/scenarios.mjs';
 import * as shapes from './cases/shapes.mjs';
@@ -42,7 +43,6 @@ import { startMadeCrowd } from './support/made_crowd.mjs';
 import { kPort, startStudio } from './support/server.mjs';
 import { StudioPage } from './support/studio_page.mjs';
 
-/** The open place, with room to build. */
 const kOpen = { scenario: 'scenarios/open.json', room: true };
 const kTablets = ['desktop', 'landscape', 'portrait'];
 
@@ -185,6 +185,7 @@ const kCases = [
     ['wide', 'landscape', 'portrait', 'phone'],
     { scenario: 'scenarios/paper/x03-long-house.json', everySize: true },
   ],
+  ...reach.kReachCases,
   ['build: by mouse', build.byMouse, ['desktop'], { touch: false, scenario: 'scenarios/open.json', room: true }],
   ['build: corners', buildCorners.cornersAndGuides, ['desktop', 'portrait', 'phone'], kOpen],
   ['group colour: by mouse', groupColour.byMouse, ['desktop'], { ...kOpen, touch: false }],
@@ -233,12 +234,7 @@ const kCases = [
   ['takes: life of a take', takes.life, ['desktop', 'phone'], { scenario: 'web/tests/scenarios/hundred.json' }],
   ['takes: scrub and trim', takes.scrubAndTrim, ['landscape', 'phone'], { scenario: 'scenarios/open.json' }],
   ['takes: again and on top', takes.againAndOnTop, ['desktop'], { scenario: 'web/tests/scenarios/two-groups.json' }],
-  [
-    'takes: film camera',
-    film.filmCamera,
-    ['desktop', 'portrait', 'phone'],
-    { scenario: 'scenarios/open.json', release: true },
-  ],
+  ['takes: film camera', film.filmCamera, ['desktop', 'portrait', 'phone'], { ...kOpen, room: false, release: true }],
   [
     'paths: by finger',
     (studio) => paths.path(studio, false),

@@ -75,10 +75,10 @@ async function formationAndTake({ page }) {
   await page.click('.record');
   await page.waitForFunction(() => globalThis.__muster.frame.recordedSeconds > 1, kWait);
   await page.click('.record');
-  await page.waitForFunction(() => !document.querySelector('.take-card').hidden, kWait);
+  await page.waitForFunction(() => document.querySelector('.take-card')?.hidden === false, kWait);
   await page.click('.card-play');
   await page.waitForFunction(
-    () => globalThis.__muster.frame.replaying && !document.querySelector('.time-line').hidden,
+    () => globalThis.__muster.frame.replaying && document.querySelector('.time-line')?.hidden === false,
     kWait,
   );
   await page.click('.time-close');

@@ -28,9 +28,9 @@ async function recordUntil(studio, second) {
   await studio.send({ type: 'SetSpeed', factor: 8 });
   await studio.until('so much of it', (end) => globalThis.__muster.frame.time > end, second, 180000);
   await studio.page.locator('.record').click();
-  await studio.until('the card', () => !document.querySelector('.take-card').hidden);
+  await studio.until('the card', () => document.querySelector('.take-card')?.hidden === false);
   await studio.page.locator('.card-play').click();
-  await studio.until('the time line', () => !document.querySelector('.time-line').hidden);
+  await studio.until('the time line', () => document.querySelector('.time-line')?.hidden === false);
   await studio.send({ type: 'SetSpeed', factor: 1 });
   await studio.send({ type: 'Playback', action: 1 });
 }

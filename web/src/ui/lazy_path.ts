@@ -2,26 +2,8 @@
 
 import type { TakeState } from '../protocol/messages';
 import { problem } from '../protocol/problem';
-import type { StudioStore } from '../model/studio_store';
 import type { Members, PathDesk, PathParts } from './path/path_desk';
 import { onShiftKey } from './shift_key';
-import { setPressed } from './widgets/dom';
-import { toolButton } from './widgets/tool_button';
-
-/** The button of the time line. */
-export function pathButton(store: StudioStore): HTMLButtonElement {
-  const button = toolButton({
-    icon: 'arrow',
-    label: 'Path',
-    className: 'time-path',
-    pressed: false,
-    tip: 'Moves the path of a group or a person, and simulates again',
-    key: 'Shift+P',
-    act: () => store.set({ paths: !store.state.paths }),
-  });
-  store.watch(['paths'], ({ paths }) => setPressed(button, paths));
-  return button;
-}
 
 export function openPathsLazily(parts: PathParts): void {
   const { store, client } = parts;

@@ -16,6 +16,7 @@ import type { StudioStore } from '../model/studio_store';
 import { NoticeLevel, type EditHistory } from '../protocol/messages';
 import { problem } from '../protocol/problem';
 import type { StudioScene } from '../scene/studio_scene';
+import './styles/shelf.css';
 import './styles/places.css';
 import type { FileDesk } from './file_desk';
 import { placeBanner } from './panels/place_banner';

@@ -18,8 +18,8 @@ beforeEach(() => {
 });
 
 it('what needs the server is inert while it is lost, what does not stays', () => {
-  const needs = ['.sheet', '.scenario', '.layers [data-key="V"]'];
-  const state = () => needs.map((selector) => find(selector).inert);
+  const needs = ['.playback', '.scenario', '.layers [data-key="V"]'];
+  const state = () => needs.map((selector) => find(selector).inert || find(selector).hasAttribute('inert'));
   store.set({ link: { phase: 'open' }, loaded: true });
   expect(state()).toEqual([false, false, false]);
   store.set({ link: { phase: 'lost', retryAt: 0, attempt: 1 } as never });

@@ -21,13 +21,16 @@ import { PhoneBar } from './panels/phone_bar';
 import { Readout } from './panels/readout';
 import { ScaleBar } from './panels/scale_bar';
 import { SchemeBanner, SchemeDialog } from './panels/scheme_dialog';
+import { SheetTabs } from './panels/sheet_tabs';
 import { ScenarioPicker } from './panels/scenario_picker';
+import type { PanelName } from '../model/panel_places';
 import type { OrderActions } from '../model/order_actions';
 import { OrdersPanel } from './panels/orders_panel';
 import { QueueBar } from './panels/queue_bar';
 import type { StudioActions } from '../model/studio_actions';
 import { isLost } from '../model/studio_state';
 import { ViewBar } from './panels/view_bar';
+import { PanelLayout } from './widgets/panel_layout';
 import { Tooltip } from './widgets/tooltip';
 import { PlaybackBar } from './panels/playback_bar';
 import type { Padding } from '../scene/camera/camera_controls';
@@ -37,6 +40,13 @@ import type { StudioStore } from '../model/studio_store';
 const kHeadroom = 44;
 /** The queue and the hint stand at the lower edge of wide windows: fits leave room for them [px]. */
 const kFoot = 176;
+/** Between a panel and the crowd, and at sides without panels [px]. */
+const kGap = 12;
+const kSide = 14;
+
+/** At the upper and the lower edge. */
+const kEdges: readonly PanelName[] = ['scenario', 'groups', 'layers', 'phone-bar', 'readout'];
+const kNeedServer = ['scenario', 'formations', 'playback', 'empty', 'orders', 'queue'] as const satisfies PanelName[];
 
 /** What tells of losses, messages and a control that is in use, below each other. */
 function bannersOf(store: StudioStore, actions: StudioActions): HTMLElement {
@@ -52,12 +62,7 @@ function bannersOf(store: StudioStore, actions: StudioActions): HTMLElement {
 export class StudioShell {
   readonly scale = new ScaleBar();
   readonly live = new LiveRegion();
-  /** At the upper and the lower edge. */
-  private readonly panels_: HTMLElement[];
-  private readonly orders_: HTMLElement;
-  private readonly formations_: FormationPanel;
-  private readonly playback_: PlaybackBar;
-  private readonly readout_: Readout;
+  private readonly layout_: PanelLayout;
 
   constructor(
     private readonly page_: HTMLElement,
@@ -67,44 +72,37 @@ export class StudioShell {
     directors: DirectorActions,
     shortcuts: readonly Shortcut[],
   ) {
-    const scenario = new ScenarioPicker(store_, actions).root;
-    const groups = new GroupChips(store_, actions, orders).root;
-    const layers = new LayerBar(store_, actions).root;
-    const directing = new DirectorsPanel(store_, directors).root;
-    this.formations_ = new FormationPanel(store_, actions);
-    this.playback_ = new PlaybackBar(store_, actions);
-    this.readout_ = new Readout(store_, actions);
+    this.layout_ = PanelLayout.of(page_);
+    const playback = new PlaybackBar(store_, actions);
     const phone = new PhoneBar(
       store_,
       actions,
-      () => this.playback_.chooseFile(),
-      () => this.playback_.chooseCharacter(),
-    ).root;
-    const sheet = element('div', { class: 'sheet' }, this.formations_.root, element('hr'), this.playback_.root);
-    this.orders_ = new OrdersPanel(store_, orders).root;
-    const queue = new QueueBar(store_, orders).root;
-    const hint = new HintBar(store_, actions).root;
-    const legend = new LegendPanel(store_).root;
-    const header = element('header', { class: 'contents' }, scenario, groups, layers, directing, phone);
-    const banners = bannersOf(store_, actions);
-    const empty = new EmptyPanel(store_, actions).root;
-    const main = element(
-      'div',
-      { class: 'contents', role: 'region', 'aria-label': 'Tools' },
-      banners,
-      empty,
-      hint,
-      sheet,
-      this.orders_,
-      queue,
-      legend,
-      this.readout_.root,
-      this.scale.root,
-      ...[new ViewBar(store_, actions), new CrowdArrows(store_, actions)].map(({ root }) => root),
+      () => playback.chooseFile(),
+      () => playback.chooseCharacter(),
     );
+    const panels: Partial<Record<PanelName, HTMLElement>> = {
+      scenario: new ScenarioPicker(store_, actions).root,
+      groups: new GroupChips(store_, actions, orders).root,
+      layers: new LayerBar(store_, actions).root,
+      directors: new DirectorsPanel(store_, directors).root,
+      'phone-bar': phone.root,
+      formations: new FormationPanel(store_, actions).root,
+      playback: playback.root,
+      orders: new OrdersPanel(store_, orders).root,
+      queue: new QueueBar(store_, orders).root,
+      hint: new HintBar(store_, actions).root,
+      legend: new LegendPanel(store_).root,
+      readout: new Readout(store_, actions).root,
+      scale: this.scale.root,
+      'view-bar': new ViewBar(store_, actions).root,
+      tabs: new SheetTabs(store_, this.layout_.area('sheet')).root,
+      banners: bannersOf(store_, actions),
+      empty: new EmptyPanel(store_, actions).root,
+    };
+    for (const [name, panel] of Object.entries(panels) as [PanelName, HTMLElement][]) this.layout_.add(name, panel);
     this.page_.append(
-      header,
-      main,
+      new CrowdArrows(store_, actions).root,
+      ...playback.inputs,
       this.live.root,
       new HelpDialog(store_, actions, shortcuts).root,
       new SchemeDialog(store_, actions).root,
@@ -112,40 +110,34 @@ export class StudioShell {
       new Tooltip(document).root,
     );
     pressWithExtraFingers(this.page_);
+    store_.watch(['layout'], ({ layout }) => this.layout_.show(layout));
     store_.watch(['link', 'loaded'], (state) => {
-      for (const panel of [scenario, sheet, empty, this.orders_, queue]) panel.inert = isLost(state);
+      for (const name of kNeedServer) panels[name]!.inert = isLost(state);
     });
-    this.panels_ = [scenario, groups, layers, phone, sheet, this.readout_.root];
   }
 
   /** What the panels cover; fits keep clear of it. */
   padding(): Padding {
     const { layout } = this.store_.state;
     const height = window.innerHeight;
-    const boxes = this.panels_.map((panel) => panel.getBoundingClientRect()).filter((box) => box.height > 0);
-    // On phones the groups and figures stand on the sheet.
-    const [above, below] = [boxes.filter((box) => box.top < height / 2), boxes.filter((box) => box.top >= height / 2)];
+    const wide = layout === 'desktop' || layout === 'landscape';
+    const boxOf = (panel: HTMLElement | undefined): DOMRect | null => {
+      const box = panel?.getBoundingClientRect();
+      return box && box.height > 0 ? box : null;
+    };
+    const edge = (name: PanelName): DOMRect | null => boxOf(this.layout_.panel(name));
+    const boxes = kEdges.map(edge).filter((box) => box !== null);
+    const above = boxes.filter((box) => box.top < height / 2);
+    const below = boxes.filter((box) => box.top >= height / 2);
+    const sheet = boxOf(this.layout_.area('sheet'));
     const top = Math.max(0, ...above.map((box) => box.bottom)) + kHeadroom;
-    if (layout === 'desktop' || layout === 'landscape') {
-      const left = this.formations_.root.getBoundingClientRect().right + 12;
-      const right = layout === 'desktop' ? this.besideOrders() : this.beside(this.playback_.root);
-      return {
-        top,
-        right,
-        bottom: Math.max(kFoot, height - this.readout_.root.getBoundingClientRect().top + 12),
-        left,
-      };
-    }
-    const right = layout === 'short' ? 24 : this.besideOrders();
-    return { top, right, bottom: height - Math.min(height, ...below.map((box) => box.top)) + 24, left: 14 };
-  }
-
-  private beside(panel: HTMLElement): number {
-    return window.innerWidth - panel.getBoundingClientRect().left + 12;
-  }
-
-  /** Before the first scene, and on phones below a message, the orders are hidden. */
-  private besideOrders(): number {
-    return this.orders_.getClientRects().length === 0 ? 24 : this.beside(this.orders_);
+    const foot = height - Math.min(height, sheet?.top ?? height, ...below.map((box) => box.top));
+    const [left, right] = [edge('formations')?.right ?? 0, edge(layout === 'landscape' ? 'playback' : 'orders')?.left];
+    return {
+      top,
+      right: layout === 'phone' ? kSide : right === undefined ? 2 * kGap : window.innerWidth - right + kGap,
+      bottom: wide ? Math.max(kFoot, foot + kGap) : foot + 2 * kGap,
+      left: wide ? left + kGap : kSide,
+    };
   }
 }

@@ -1,5 +1,6 @@
 // Takes in the page: the card of a kept one, the shelf, the time line of the open one, and exports.
 
+import { PanelLayout } from './widgets/panel_layout';
 import { PlaybackAction, type SpeedPiece, type TakeKept, type TakeState } from '../protocol/messages';
 import { problem } from '../protocol/problem';
 import type { StudioClient } from '../link/studio_client';
@@ -10,7 +11,6 @@ import { kTakeEnd, takeTitle, type OpenTake, type ShelvedTake, type TakeAbout } 
 import type { StudioScene } from '../scene/studio_scene';
 import { ExportDesk } from './export_desk';
 import { FilmCameraDesk } from './film_camera_desk';
-import { FilmCameraMenu } from './panels/film_camera_menu';
 import { TakeCard, type CardKind } from './panels/take_card';
 import { TakeShelf } from './panels/take_shelf';
 import { TimeLine } from './panels/time_line';
@@ -20,10 +20,11 @@ import { save } from '../link/answers';
 import { ShelfLink, pictureAddress, takeAddress } from './shelf_link';
 import { scenarioBehind } from './studio_controller';
 import { TakeCopies, isCopyOnly, withCopies } from './take_copies';
-import { pathButton } from './lazy_path';
 import { openTake } from './takes';
 import { element } from './widgets/dom';
 import { LiveRegion } from './widgets/live_region';
+import './styles/shelf.css';
+import './styles/takes.css';
 
 const kPicture = { width: 320, height: 180 };
 /** While recording the scene is pictured so often, in case another scenario ends the recording [ms]. */
@@ -55,13 +56,7 @@ export class TakeDesk implements TakeActions {
   private readonly copies_ = new TakeCopies();
   private readonly live_ = new LiveRegion();
   private crowd_: Pick<StudioFrame, 'x' | 'y'> | null = null;
-  private readonly cameraMenu_ = new FilmCameraMenu({
-    keepView: () => this.film_.keep(this.step_),
-    removeView: (step) => this.film_.remove(step),
-    showMoment: (step) => this.seek(step),
-    filmCamera: (on) => this.film_.switch(on),
-  });
-  private readonly line_ = new TimeLine(this, this.cameraMenu_.root);
+  private readonly line_: TimeLine;
   private readonly film_: FilmCameraDesk;
   private readonly card_ = new TakeCard(this);
   private readonly shelfPanel_: TakeShelf;
@@ -77,7 +72,13 @@ export class TakeDesk implements TakeActions {
 
   constructor(private readonly parts_: TakeDeskParts) {
     const { client, store, view, canvas, page } = parts_;
-    this.line_.addTool(pathButton(store));
+    const film = {
+      keepView: () => this.film_.keep(this.step_),
+      removeView: (step: number) => this.film_.remove(step),
+      showMoment: (step: number) => this.seek(step),
+      filmCamera: (on: boolean) => this.film_.switch(on),
+    };
+    this.line_ = new TimeLine(this, film, store);
     this.film_ = new FilmCameraDesk(view.camera, () => this.showKeys());
     this.scrubber_ = new Scrubber((message) => client.send(message));
     const file = element('input', {
@@ -101,19 +102,16 @@ export class TakeDesk implements TakeActions {
       opened: (name) => this.opened(name),
       show: (step) => this.show(step),
     });
-    page.append(
-      this.line_.root,
-      this.card_.root,
-      this.shelfPanel_.root,
-      this.exports.dialog.root,
-      file,
-      this.live_.root,
-    );
+    const layout = PanelLayout.of(page);
+    layout.add('time-line', this.line_.root);
+    layout.add('take-card', this.card_.root);
+    page.append(this.shelfPanel_.root, this.exports.dialog.root, file, this.live_.root);
     client.on('takeState', (state) => this.changed(state));
     client.on('takeReady', ({ steps }) => this.line_.track.setReady(steps));
     client.on('takeKept', (kept) => void this.kept(kept));
     client.on('frame', ({ frame }) => this.observe((this.crowd_ = frame).step));
     client.on('welcome', () => void this.offerCutOff());
+    if (client.state.phase === 'open') void this.offerCutOff();
     store.watch(['shelf'], ({ shelf }) => {
       this.shelfPanel_.setOpen(shelf);
       if (shelf) void this.refresh();
@@ -124,7 +122,8 @@ export class TakeDesk implements TakeActions {
 
   // The open take.
 
-  private changed({ open, ...take }: TakeState): void {
+  /** The server tells which take is open. */
+  changed({ open, ...take }: TakeState): void {
     const before = this.take_;
     this.take_ = open ? take : null;
     document.documentElement.toggleAttribute('data-take', open);
@@ -155,7 +154,7 @@ export class TakeDesk implements TakeActions {
 
   private showKeys(): void {
     const { keys, on } = this.film_;
-    this.cameraMenu_.show(keys, on, this.take_?.stepTime ?? 1 / 60);
+    this.line_.setFilm(keys, on);
     this.line_.track.setKeys(keys.map(({ step }) => step));
   }
 
@@ -377,6 +376,8 @@ export class TakeDesk implements TakeActions {
     }
     const found = this.takes_.find((take) => !take.finished && !take.recording && !this.seen().includes(take.name));
     if (!found) return;
+    // Once: it lies on the shelf.
+    this.markSeen(found.name);
     this.showCard(found, 'cut off');
     this.live_.say('A recording was cut off, and is safe');
   }

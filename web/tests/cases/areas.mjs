@@ -78,6 +78,7 @@ export async function drawn(studio) {
 }
 
 async function ordered(studio, label, at) {
+  await studio.tab('orders');
   await studio.page.locator(`.order-tile[aria-label="${label}"]`).click();
   await tap(studio, at);
 }

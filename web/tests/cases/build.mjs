@@ -11,6 +11,7 @@ export async function open(studio) {
     globalThis.__scenes = [];
     globalThis.__muster.client.on('scene', (scene) => globalThis.__scenes.push(scene));
   });
+  await studio.tab('view');
   await studio.page.getByRole('button', { name: 'Build', exact: true }).click();
   await studio.page.locator('.build-panel').waitFor();
   await studio.until('paused', () => !globalThis.__muster.state.playing);
@@ -118,6 +119,7 @@ export async function byMouse(studio) {
   await scene(studio, 'with the wall', (one) => one.obstacles.length === 4);
   const saved = await page.evaluate(async () => (await globalThis.__muster.ask('scenario')).json());
   expect(saved.obstacles.length === 4 && saved.groups.length === 2, 'all of it is in the file');
+  await studio.tab('view');
   await page.getByRole('button', { name: 'Build', exact: true }).click();
   expect(!(await page.locator('.build-panel').isVisible()), 'the panel is gone');
 }

@@ -68,6 +68,7 @@ export async function watchedCrowd(studio) {
 export async function cameraByTouch(studio) {
   const { page } = studio;
   const bar = page.locator('.view-bar');
+  await studio.tab('view');
   await tap(studio, bar.locator('button').nth(1));
   expect((await bar.locator('button').nth(1).getAttribute('aria-pressed')) === 'true', 'follow is pressed');
   // A hand on the camera ends it.

@@ -41,6 +41,8 @@ export async function hintTicks(studio) {
   const hint = page.locator('.hint');
   const ticked = () => hint.locator('.hint-item.done').count();
   expect((await ticked()) === 0, 'nothing is done yet');
+  const widthOf = () => hint.evaluate((node) => node.offsetWidth);
+  const width = await widthOf();
   const box = await page.locator('#scene').boundingBox();
   // Empty ground: the camera.
   await studio.fingers.down({ 1: { x: box.width * 0.5, y: 100 } });
@@ -58,6 +60,7 @@ export async function hintTicks(studio) {
     await studio.fingers.move(moved, { steps: 8, ms: 400 });
     await studio.eventually(async () => expect((await ticked()) >= wanted, `${count} fingers are ticked`));
     if (count === 1) await studio.shot('hint-ticked');
+    if (await hint.isVisible()) expect((await widthOf()) === width, 'ticks take no room');
     await studio.fingers.up();
     await studio.wait(300);
   }

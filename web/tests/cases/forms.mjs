@@ -257,6 +257,7 @@ async function sequence(studio, press) {
   const { page } = studio;
   const panel = page.locator('.sequence');
   await pausedOrder(studio, -11, 9);
+  await studio.tab('orders');
   await press(page.locator('.queue-act[aria-label="Formations"]'));
   await panel.waitFor();
   await press(panel.locator('button', { hasText: 'Add' }));

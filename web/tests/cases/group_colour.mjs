@@ -129,10 +129,12 @@ async function ownColour(studio, row) {
   await page.getByText('hard to see on light ground').waitFor();
   expect((await row.getByRole('radio', { checked: true }).count()) === 0, 'no swatch is marked');
   await studio.shot('group-colour-own');
+  await studio.tab('view');
   await page.getByRole('button', { name: 'Build', exact: true }).click();
   await page.locator('.groups .chip').first().waitFor();
   await studio.shot('group-colour-own-directing');
   await serious(studio, 'directing in an own colour');
+  await studio.tab('view');
   await page.getByRole('button', { name: 'Build', exact: true }).click();
   await page.locator('.build-panel').waitFor();
   await page.getByRole('button', { name: 'Undo colour' }).click();

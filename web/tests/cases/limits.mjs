@@ -83,6 +83,7 @@ export async function editingThousand(studio) {
   const { page } = studio;
   const count = await page.evaluate(() => globalThis.__muster.frame.x.length);
   expect(count === 1000, `a thousand people: ${count}`);
+  await studio.tab('view');
   await page.getByRole('button', { name: 'Build', exact: true }).click();
   await page.locator('.build-panel').waitFor();
   const tool = (name) => page.locator('.build-panel').getByRole('button', { name, exact: true }).click();

@@ -111,4 +111,26 @@ export async function firstVisit(studio) {
   await layout(studio);
   await hint.locator('button').click();
   expect(!(await hint.isVisible()), 'Got it hides it');
+  if (studio.size === 'phone') await threePanels(studio);
+}
+
+/** A phone has the place, what is shown, and one sheet, whose buttons have words. */
+async function threePanels(studio) {
+  const found = await studio.page.evaluate(() => {
+    const shown = (node) => node.checkVisibility() && !node.parentElement.closest('.panel, .sheet');
+    const panels = [...document.querySelectorAll('#ui .panel, #ui .sheet')].filter(shown);
+    return panels.map(({ className }) => className);
+  });
+  expect(found.length === 3, `three panels: ${found.join(', ')}`);
+  for (const tab of ['formation', 'orders', 'view']) {
+    await studio.tab(tab);
+    const wordless = await studio.page.evaluate(() =>
+      [...document.querySelectorAll('.sheet .formations, .sheet .orders, .sheet .view-bar')]
+        .flatMap((panel) => [...panel.querySelectorAll('button')])
+        .filter((node) => node.checkVisibility() && (node.querySelector('.label')?.offsetWidth ?? 0) < 8)
+        .map((node) => node.ariaLabel),
+    );
+    expect(wordless.length === 0, `words are under icons: ${wordless.join(', ')}`);
+    await studio.shot(`sheet-${tab}`);
+  }
 }

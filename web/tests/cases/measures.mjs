@@ -27,6 +27,7 @@ async function begin(studio) {
   await studio.send({ type: 'Playback', action: 1 });
   await studio.until('a pause', () => !globalThis.__muster.frame.playing);
   if (studio.size === 'phone') await studio.makeRoom(0.6);
+  await studio.tab('view');
   await studio.page.getByRole('button', { name: 'Measures', exact: true }).click();
   await panel(studio).waitFor();
 }

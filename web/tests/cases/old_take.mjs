@@ -40,7 +40,7 @@ export async function oldTake(studio, server) {
     `takes/older-${name}/open`,
   );
   expect(opened === 200, `it opens: ${opened}`);
-  await studio.until('the time line', () => !document.querySelector('.time-line').hidden);
+  await studio.until('the time line', () => document.querySelector('.time-line')?.hidden === false);
   await studio.until('the words', () => document.querySelector('.time-stored').checkVisibility());
   for (const button of ['.time-again', '.time-layer', '.time-path'])
     expect(!(await studio.page.locator(button).isVisible()), `${button} is absent`);

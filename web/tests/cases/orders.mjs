@@ -5,6 +5,7 @@ import { crowd, distance, extreme, mean, points, shifted } from '../support/geom
 const vertices = (frame, index = 0) => points(frame.groups[index].vertices);
 
 async function takeTool(studio, tool) {
+  await studio.tab('orders');
   await studio.page.locator(`.order-tile[data-tool="${tool}"]`).click();
 }
 
@@ -74,6 +75,7 @@ export async function splitAndMerge(studio) {
   await stroke(studio, a, b, 'merge-before');
   await groupsToBe(studio, 1);
   await studio.shot('merged');
+  await studio.tab('orders');
   await studio.page.locator('.order-tile[aria-label="Undo"]').click();
   await groupsToBe(studio, 2);
   await studio.page.keyboard.press('Control+z');
@@ -174,6 +176,7 @@ export async function ordersByTouch(studio) {
 /** Settings of orders and conduct reach the world and come back. */
 export async function conduct(studio) {
   const { page } = studio;
+  await studio.tab('orders');
   await page.locator('.order-tile[aria-label="Conduct"]').click();
   await page.locator('.order-details').waitFor();
   await studio.shot('conduct');

@@ -139,6 +139,7 @@ export async function editQueue(studio) {
 /** By fingers: a chip is dragged, an order inserted before the first, one cancelled. */
 export async function editQueueByTouch(studio) {
   const { page } = studio;
+  await studio.tab('orders');
   await page.keyboard.press('.');
   await queueUpPaused(studio);
   await studio.shot('queue-chips');

@@ -154,7 +154,7 @@ export async function recordAndReplay(studio) {
   expect(opened.size > 100, `the take has ${opened.size} bytes`);
   expect(opened.status === 200, `it opens again: ${opened.status} ${opened.text}`);
   await studio.until('the replay', () => globalThis.__muster.frame.replaying);
-  await studio.until('the time line', () => !document.querySelector('.time-line').hidden);
+  await studio.until('the time line', () => document.querySelector('.time-line')?.hidden === false);
   expect(!(await studio.page.locator('.record').isVisible()), 'a replay is not recorded');
   await studio.pictures(1);
   await studio.shot('replay');

@@ -26,13 +26,13 @@ export async function record(studio, seconds = 1.5, group = 0) {
 
 export async function stop(studio) {
   await studio.page.locator('.record').click();
-  await studio.until('the card', () => !document.querySelector('.take-card').hidden);
+  await studio.until('the card', () => document.querySelector('.take-card')?.hidden === false);
 }
 
 /** Opens the take of the card. */
 export async function play(studio) {
   await studio.page.locator('.card-play').click();
-  await studio.until('the time line', () => !document.querySelector('.time-line').hidden);
+  await studio.until('the time line', () => document.querySelector('.time-line')?.hidden === false);
 }
 
 export async function pause(studio) {
@@ -68,7 +68,7 @@ async function openShelf(studio) {
     await studio.page.locator('.phone-bar button[aria-label="More"]').click();
     await studio.page.locator('.phone-menu .menu-item', { hasText: 'All takes' }).click();
   }
-  await studio.until('the shelf', () => !document.querySelector('.take-shelf').hidden);
+  await studio.until('the shelf', () => document.querySelector('.take-shelf')?.hidden === false);
 }
 
 /** Record, card, name, shelf, reload, play, remove and bring back. */
@@ -100,7 +100,7 @@ export async function life(studio, server) {
   await studio.wait(200);
   await studio.shot('takes-shelf');
   await item.locator('.shelf-item-open').click();
-  await studio.until('the take', () => !document.querySelector('.time-line').hidden);
+  await studio.until('the take', () => document.querySelector('.time-line')?.hidden === false);
   await studio.until('its beginning', (from) => globalThis.__muster.frame.step >= from, take.from);
   expect(!(await visible(studio, '.take-shelf')), 'the shelf makes room');
   await studio.wait(300);
@@ -330,12 +330,18 @@ export async function cutOff(studio, server) {
   await studio.until('the banner', () => document.documentElement.hasAttribute('data-lost'));
   const again = await startStudio({ port: server.port, scenario: server.scenario, takes: server.takes });
   try {
-    await studio.until('the offer', () => !document.querySelector('.take-card').hidden, null, 30000);
+    await studio.until('the offer', () => document.querySelector('.take-card')?.hidden === false, null, 30000);
     const heading = await studio.page.locator('.card-heading').textContent();
     expect(/cut off/.test(heading), heading);
     await studio.wait(250);
     await studio.shot('takes-cut-off');
-    await play(studio);
+    await studio.page.goto(server.url);
+    await studio.until('the page again', () => (globalThis.__muster?.frame?.groups.length ?? 0) > 0);
+    await openShelf(studio);
+    await studio.wait(600);
+    expect(!(await visible(studio, '.take-card')), 'it is offered once');
+    await studio.page.locator('.shelf-item-open').first().click();
+    await studio.until('the time line', () => document.querySelector('.time-line')?.hidden === false);
     await studio.until('its end', () => globalThis.__muster.state.notice?.code === 'replay-end', null, 30000);
     expect((await takesOf(studio))[0].finished === false, 'it has no end record');
   } finally {

@@ -99,6 +99,7 @@ async function undoByMouse(studio) {
 async function undoByTouch(studio) {
   const start = middleOf(await studio.frame());
   const [ground] = await studio.screen([shifted(start, -2, -7)]);
+  await studio.tab('orders');
   await tile(studio, 'Order').tap();
   await studio.fingers.down({ 1: ground });
   await studio.fingers.up();

@@ -12,6 +12,7 @@ export const kSizes = {
   wide: { width: 1440, height: 900 },
   desktop: { width: 1280, height: 800 },
   landscape: { width: 1180, height: 820 },
+  tablet: { width: 1024, height: 768 },
   portrait: { width: 820, height: 1180 },
   phone: { width: 390, height: 844 },
   narrow: { width: 360, height: 740 },
@@ -148,6 +149,12 @@ export class StudioPage extends DrivenPage {
     await this.until('the world anew', (before) => globalThis.__muster.frame.sceneRevision > before, revision);
     await this.send({ type: 'Playback', action: 0 });
     await this.send({ type: 'SetSpeed', factor: 1 });
+  }
+
+  /** Chooses what the sheet of a phone shows; wider windows show all of it. */
+  async tab(name) {
+    const tab = this.page.locator(`[role="tab"][data-tab="${name}"]`);
+    if (await tab.isVisible()) await tab.click();
   }
 
   shot(name) {

@@ -1,5 +1,6 @@
 // Building a place: what is chosen, what is being drawn, and the edits that follow from it.
 
+import { PanelLayout } from '../widgets/panel_layout';
 import type { StudioClient } from '../../link/studio_client';
 import type { StudioStore } from '../../model/studio_store';
 import type { GroundPoint, ScreenPoint } from '../../model/plane';
@@ -66,7 +67,7 @@ export class BuildDesk implements StrokeHost, BuildActions {
     this.panel_ = new BuildPanel(this);
     this.edits_ = new BuildEdits(client, () => this.refresh());
     parts_.page.before(this.layer_.root);
-    parts_.page.append(this.panel_.root);
+    PanelLayout.of(parts_.page).add('build', this.panel_.root);
     BuildPointer.over(view, this.strokes_).listen(this.layer_.root);
     new BuildKeys(this, () => this.open_);
     client.on('overlay', (overlay) => {

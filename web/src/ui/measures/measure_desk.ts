@@ -1,5 +1,6 @@
 // Measuring the crowd: lines and areas are drawn on the ground, and what they measure is shown and saved.
 
+import { PanelLayout } from '../widgets/panel_layout';
 import { saveBlob } from '../../link/answers';
 import type { StudioClient } from '../../link/studio_client';
 import { Measures } from '../../model/measures/measures';
@@ -46,7 +47,7 @@ export class MeasureDesk implements BuildStrokes, MeasureActions {
     const { view, page } = parts_;
     this.layer_ = new MeasureLayer((point) => view.worldToScreen(point));
     page.before(this.layer_.root);
-    page.append(this.panel_.root);
+    PanelLayout.of(page).add('measures', this.panel_.root);
     BuildPointer.over(view, this).listen(this.layer_.root);
     onEscape(
       () => this.open_,

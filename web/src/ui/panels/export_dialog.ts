@@ -146,6 +146,14 @@ export class ExportDialog {
     this.begin_.hidden = running;
     this.kinds_.disabled = running;
     if (running) this.setProgress(0);
+    if (this.root.open) this.keepFocus(running ? this.stop_ : this.begin_);
+  }
+
+  /** What had the focus has gone: without any, Escape would not close the dialog. */
+  private keepFocus(next: HTMLButtonElement): void {
+    const { activeElement } = document;
+    const stays = activeElement?.closest('.export-dialog') === this.root && !activeElement.closest('[hidden]');
+    if (!stays || next === this.stop_) next.focus();
   }
 
   /** What became of it. */

@@ -5,6 +5,7 @@ import { PlaybackBar } from './playback_bar';
 import { StudioStore } from '../../model/studio_store';
 
 let store: StudioStore;
+let bar: PlaybackBar;
 let root: HTMLElement;
 const leaveReplay = vi.fn();
 const toggleRecord = vi.fn();
@@ -13,12 +14,13 @@ const ourPeople = vi.fn();
 
 beforeEach(() => {
   store = new StudioStore();
-  root = new PlaybackBar(store, {
+  bar = new PlaybackBar(store, {
     leaveReplay,
     toggleRecord,
     toggleDemonstration,
     ourPeople,
-  } as unknown as StudioActions).root;
+  } as unknown as StudioActions);
+  root = bar.root;
   document.body.replaceChildren(root);
 });
 
@@ -55,7 +57,7 @@ it('offers a character of one’s own, and our people back while there is one', 
   const items = [...root.querySelectorAll<HTMLButtonElement>('.take-list button')];
   const named = (text: string): HTMLButtonElement => items.find((item) => item.textContent === text)!;
   expect(named('Our people').hidden).toBe(true);
-  const input = root.querySelector<HTMLInputElement>('input[multiple]')!;
+  const input = bar.inputs.find(({ multiple }) => multiple)!;
   const click = vi.spyOn(input, 'click').mockImplementation(() => undefined);
   named('Own character…').click();
   expect(click).toHaveBeenCalledTimes(1);

@@ -1,5 +1,6 @@
 // Dialogs for words as a formation, for shapes of one's own, and for a new group. This file is loaded when the first of them is opened.
 
+import { PanelLayout } from '../widgets/panel_layout';
 import { formationKind } from '../../model/sequence';
 import { spreadOver, type Mask } from '../../model/spread';
 import type { GroundPoint } from '../../model/plane';
@@ -204,7 +205,7 @@ export function watchShapeDialogs(
     group: new GroupDialog(store, shapes, close),
   };
   for (const dialog of Object.values(dialogs)) page.append(dialog.root);
-  page.append(new TryBar(store, shapes).root);
+  PanelLayout.of(page).add('try', new TryBar(store, shapes).root);
   store.watch(['dialog'], ({ dialog }) => {
     if (dialog !== 'none' && !dialogs[dialog].root.open) dialogs[dialog].open();
   });

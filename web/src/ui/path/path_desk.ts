@@ -1,5 +1,6 @@
 // Paths of the open take, changed afterwards: whose is shown, the pull at it, and what the server makes of that.
 
+import { PanelLayout } from '../widgets/panel_layout';
 import type { StudioClient } from '../../link/studio_client';
 import type { GroundPoint, ScreenPoint } from '../../model/plane';
 import type { StudioFrame } from '../../model/studio_frame';
@@ -71,7 +72,7 @@ export class PathDesk implements BuildStrokes, PathActions {
     const { client, view, page } = parts_;
     this.layer_ = new PathLayer((point) => view.worldToScreen(point));
     page.before(this.layer_.root);
-    page.append(this.bar_.root);
+    PanelLayout.of(page).add('paths', this.bar_.root);
     BuildPointer.over(view, this).listen(this.layer_.root);
     client.on('frame', ({ frame }) => (this.frame_ = frame));
     client.on('takePath', (path) => this.came(path));

@@ -1,5 +1,6 @@
 // The formations that the active group takes up along its way: edits of its queue, and how it would stand at each.
 
+import { PanelLayout } from '../widgets/panel_layout';
 import { PlaybackAction, type PlacesFrame } from '../../protocol/messages';
 import type { Vec2 } from '../../protocol/generated/commands';
 import { problem } from '../../protocol/problem';
@@ -78,7 +79,7 @@ export class SequenceDesk {
       earlier: (index) => this.swap(index),
       remove: (index) => this.edit(this.stations().filter((_, i) => i !== index)),
     });
-    page.append(this.panel_.root);
+    PanelLayout.of(page).add('sequence', this.panel_.root);
     client.on('frame', () => this.observe());
     store.watch(['sequencing', 'active'], ({ sequencing }) => (sequencing ? this.opened() : this.closed()));
   }

@@ -84,26 +84,30 @@ function svg(body: string, size: number, box: number, attributes: string): SVGSV
   return template.content.firstElementChild as SVGSVGElement;
 }
 
+/** What is inside of an icon's svg. */
+export function iconBody(name: IconName): string {
+  return kShapes[name];
+}
+
 export function icon(name: IconName, size = 20): SVGSVGElement {
   const style = 'fill="none" stroke="currentColor" stroke-width="1.6" stroke-linecap="round" stroke-linejoin="round"';
   return svg(kShapes[name], size, 20, style);
 }
 
-/** The mark of Muster: a small crowd in a wedge, one of them in the accent. */
-export function logo(): SVGSVGElement {
-  const places = [
-    [15, 5],
-    [10, 13.5],
-    [20, 13.5],
-    [5, 22],
-    [15, 22],
-    [25, 22],
-  ] as const;
-  const dots = places.map(([x, y], i) => `<circle cx="${x}" cy="${y}" r="3" ${i === 2 ? 'class="logo-accent"' : ''}/>`);
-  return svg(dots.join(''), 30, 30, 'fill="currentColor" class="logo"');
-}
+const kLogoPlaces = [
+  [15, 5],
+  [10, 13.5],
+  [20, 13.5],
+  [5, 22],
+  [15, 22],
+  [25, 22],
+] as const;
 
-/** The dot of the record button. */
-export function recordDot(): SVGSVGElement {
-  return svg('<circle cx="6" cy="6" r="6"/>', 12, 12, 'fill="currentColor"');
+/** What is inside of the mark of Muster: a small crowd in a wedge, one of them in the accent. */
+export const kLogoBody = kLogoPlaces
+  .map(([x, y], i) => `<circle cx="${x}" cy="${y}" r="3" ${i === 2 ? 'class="logo-accent"' : ''}/>`)
+  .join('');
+
+export function logo(): SVGSVGElement {
+  return svg(kLogoBody, 30, 30, 'fill="currentColor" class="logo"');
 }

@@ -1,15 +1,22 @@
-// One tooltip for everything with `data-tip`; shown for the mouse and for keyboard focus, never for fingers.
+// One tooltip for everything with `data-tip`; shown for the mouse and for keyboard focus, never for fingers. It stands in the
+// browser's top layer, above what is open.
 
+import { keepBeside } from './beside';
 import { element, setText } from './dom';
 
 const kDelayMs = 450;
-const kGap = 8;
 
 export class Tooltip {
   private readonly text_ = element('span');
   private readonly key_ = element('kbd');
-  readonly root = element('div', { class: 'tooltip passive', role: 'tooltip', hidden: true }, this.text_, this.key_);
+  readonly root = element(
+    'div',
+    { class: 'tooltip passive', role: 'tooltip', popover: 'manual', hidden: true },
+    this.text_,
+    this.key_,
+  );
   private timer_ = 0;
+  private follow_: (() => void) | null = null;
 
   constructor(page: Document) {
     page.addEventListener('pointerover', (event) => this.hover(event));
@@ -37,18 +44,17 @@ export class Tooltip {
     const key = owner.getAttribute('data-key');
     setText(this.key_, key ?? '');
     this.key_.hidden = !key;
+    this.hide();
     this.root.hidden = false;
-    const at = owner.getBoundingClientRect();
-    const size = this.root.getBoundingClientRect();
-    const left = Math.min(Math.max(kGap, at.left + (at.width - size.width) / 2), window.innerWidth - size.width - kGap);
-    const below = at.bottom + kGap;
-    const top = below + size.height > window.innerHeight - kGap ? at.top - kGap - size.height : below;
-    this.root.style.left = `${left}px`;
-    this.root.style.top = `${top}px`;
+    this.root.showPopover?.();
+    this.follow_ = keepBeside(owner, this.root, { placement: 'bottom', shrinks: false }, () => this.hide());
   }
 
   private hide(): void {
     window.clearTimeout(this.timer_);
+    this.follow_?.();
+    this.follow_ = null;
+    if (!this.root.hidden) this.root.hidePopover?.();
     this.root.hidden = true;
   }
 }

@@ -1,0 +1,78 @@
+// The key frames of the film camera, beside the other tools of the time line.
+
+import type { VNode } from 'preact';
+import { formatClock } from '../../model/formatters';
+import type { CameraKey } from '../../scene/camera/film_camera';
+import { ToolButton } from '../widgets/buttons';
+import { Menu } from '../widgets/menu';
+
+export interface FilmCameraActions {
+  keepView(): void;
+  removeView(step: number): void;
+  showMoment(step: number): void;
+  filmCamera(on: boolean): void;
+}
+
+export interface FilmCameraProps {
+  readonly keys: readonly CameraKey[];
+  readonly on: boolean;
+  readonly stepTime: number;
+  readonly actions: FilmCameraActions;
+}
+
+const kEases = 'The camera moves with ease from view to view, also in films.';
+const kBegin = 'Move the camera and the playhead, and keep views: the camera then moves from one to the next.';
+
+function View({ step, index, stepTime, actions }: Pick<FilmCameraProps, 'stepTime' | 'actions'> & ViewPlace): VNode {
+  return (
+    <div class="camera-key">
+      <button type="button" class="soft" onClick={() => actions.showMoment(step)}>
+        View {index + 1} at {formatClock(step * stepTime)}
+      </button>
+      <ToolButton icon="close" label={`Remove view ${index + 1}`} iconOnly act={() => actions.removeView(step)} />
+    </div>
+  );
+}
+
+interface ViewPlace {
+  readonly step: number;
+  readonly index: number;
+}
+
+export function FilmCameraMenu({ keys, on, stepTime, actions }: FilmCameraProps): VNode {
+  const opener = {
+    icon: 'camera',
+    label: 'Camera',
+    class: 'time-camera',
+    pressed: on,
+    tip: 'Key frames of the camera along the take',
+  } as const;
+  return (
+    <span class="time-speed-holder">
+      <Menu opener={opener} class="speed-pieces camera-keys" label="Film camera" placement="top-end">
+        {() => (
+          <>
+            <div class="speed-add">
+              <button type="button" class="soft camera-keep" onClick={() => actions.keepView()}>
+                Keep this view here
+              </button>
+              <button
+                type="button"
+                class="soft camera-leads"
+                disabled={keys.length === 0}
+                aria-pressed={on}
+                onClick={() => actions.filmCamera(!on)}
+              >
+                Film camera
+              </button>
+            </div>
+            {keys.map(({ step }, index) => (
+              <View key={step} step={step} index={index} stepTime={stepTime} actions={actions} />
+            ))}
+            <p class="secondary">{keys.length > 0 ? kEases : kBegin}</p>
+          </>
+        )}
+      </Menu>
+    </span>
+  );
+}

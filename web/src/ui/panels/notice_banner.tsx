@@ -1,0 +1,80 @@
+// A message to the visitor: the server's, or one of the page's own.
+
+import { NoticeLevel, type Notice } from '../../protocol/messages';
+import type { StudioActions } from '../../model/studio_actions';
+import type { StudioStore } from '../../model/studio_store';
+import { Icon } from '../widgets/buttons';
+import { element } from '../widgets/dom';
+import type { IconName } from '../widgets/icons';
+import { drawPanel } from '../widgets/panel';
+
+/** What stands under the sentence: the code, and where it happened. */
+export function noticeDetail({ code, hasPlace, x, y }: Notice): string {
+  const metres = (value: number): string => value.toFixed(1).replace('-', '\u2212');
+  if (code === 'undo') return ''; // The sentence says it all.
+  return hasPlace ? `${code} \u00b7 at ${metres(x)}, ${metres(y)} m` : code;
+}
+
+const kLevels: Record<NoticeLevel, { readonly name: string; readonly icon: IconName }> = {
+  [NoticeLevel.Info]: { name: 'info', icon: 'info' },
+  [NoticeLevel.Warning]: { name: 'warning', icon: 'warning' },
+  [NoticeLevel.Error]: { name: 'error', icon: 'error' },
+};
+
+/** Messages other than errors vanish after this time [ms]. */
+const kNoticeMs = 6000;
+
+export class NoticeBanner {
+  readonly root = element('section', { class: 'banner notice panel' });
+  private timer_ = 0;
+
+  constructor(
+    store: StudioStore,
+    private readonly actions_: StudioActions,
+  ) {
+    store.watch(['notice'], ({ notice }) => {
+      this.root.hidden = notice === null;
+      window.clearTimeout(this.timer_);
+      if (notice) this.tell(notice);
+    });
+    drawPanel(this.root, store, ['notice'], ({ notice }) => {
+      if (!notice) return null;
+      const detail = noticeDetail(notice);
+      return (
+        <>
+          <Icon name={kLevels[notice.level].icon} size={24} />
+          <div class="banner-words">
+            <strong>{notice.text}</strong>
+            <span class="secondary" hidden={detail === ''}>
+              {detail}
+            </span>
+          </div>
+          <button
+            type="button"
+            class="soft notice-show"
+            data-tip="Brings the spot into view"
+            hidden={!notice.hasPlace}
+            onClick={() => actions_.showNoticePlace()}
+          >
+            Show
+          </button>
+          <button
+            type="button"
+            class="notice-close"
+            aria-label="Close the message"
+            onClick={() => actions_.dismissNotice()}
+          >
+            <Icon name="close" />
+          </button>
+        </>
+      );
+    });
+  }
+
+  private tell({ level }: Notice): void {
+    const isError = level === NoticeLevel.Error;
+    this.root.setAttribute('role', isError ? 'alert' : 'status');
+    this.root.dataset['level'] = kLevels[level].name;
+    if (!isError) this.timer_ = window.setTimeout(() => this.actions_.dismissNotice(), kNoticeMs);
+  }
+}

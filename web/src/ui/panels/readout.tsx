@@ -1,0 +1,161 @@
+// How the crowd does, in plain words; on request the figures: characters, step time, lag, swaps, and what the plan's
+// objective comes to.
+
+import type { VNode } from 'preact';
+import { formatCount, formatFigure, formatMs } from '../../model/formatters';
+import { kObjectives, objectiveFigure, objectiveOf, objectivesFor, objectiveText } from '../../model/objective';
+import { plainWords } from '../../model/plain_words';
+import type { StudioActions } from '../../model/studio_actions';
+import type { StudioState } from '../../model/studio_state';
+import type { StudioStore } from '../../model/studio_store';
+import { Icon } from '../widgets/buttons';
+import { element } from '../widgets/dom';
+import { Held } from '../widgets/held';
+import { drawPanel } from '../widgets/panel';
+import { Sparkline } from '../widgets/sparkline';
+
+/** Frames per point of a sparkline: it shows about ten seconds. */
+const kEvery = 12;
+
+interface FigureProps {
+  readonly name: string;
+  readonly label: string;
+  readonly value: string;
+  readonly unit: string;
+  readonly before?: string;
+  readonly spark?: Sparkline;
+  readonly tip?: string;
+}
+
+function Figure({ name, label, value, unit, before = '', spark, tip }: FigureProps): VNode {
+  return (
+    <div class={`figure figure-${name}`} data-tip={tip}>
+      <span class="figure-label secondary">{label}</span>
+      {spark && <Held make={() => spark.root} />}
+      <span class="figure-value">
+        <span class="figure-before secondary">{before}</span>
+        <strong class="value">{value}</strong>
+        <span class="unit secondary">{unit}</span>
+      </span>
+    </div>
+  );
+}
+
+interface Props {
+  readonly state: StudioState;
+  readonly actions: StudioActions;
+}
+
+function Words({ state, actions }: Props): VNode {
+  const words = plainWords(state);
+  return (
+    <button
+      type="button"
+      class="plain"
+      aria-expanded={state.figures}
+      data-tip="Figures"
+      onClick={() => actions.toggleFigures()}
+    >
+      <span class="plain-words">
+        <strong class="plain-people">{words.people}</strong>
+        <span class="plain-does">{words.does}</span>
+        <span class="plain-items">{words.items}</span>
+        <span class="plain-slow">{words.slow}</span>
+      </span>
+      <Icon name="chevron" />
+    </button>
+  );
+}
+
+/** What the chosen objective comes to; all of them in the tip. */
+function Objective({ state, actions }: Props): VNode {
+  const { parameters, walks } = state;
+  const shown = objectivesFor(parameters);
+  const chosen = objectiveOf(parameters);
+  const all = kObjectives.map((_, index) => objectiveText(index, walks)).join(', ');
+  return (
+    <div
+      class="figure figure-objective"
+      hidden={shown.length === 0}
+      data-tip={`What plans make least. All walks: ${all}`}
+    >
+      <select
+        class="objective"
+        aria-label="What plans make least"
+        value={chosen}
+        onChange={({ currentTarget }) => actions.setObjective(Number(currentTarget.value))}
+      >
+        {kObjectives.map(({ label }, index) => (
+          <option key={label} value={index} hidden={!shown.includes(index)} disabled={!shown.includes(index)}>
+            {label}
+          </option>
+        ))}
+      </select>
+      <span class="figure-value">
+        <strong class="value">{chosen < 0 ? '' : objectiveFigure(chosen, walks)}</strong>
+      </span>
+    </div>
+  );
+}
+
+export class Readout {
+  readonly root = element('section', { class: 'readout panel', 'aria-label': 'How the crowd does' });
+  private readonly stepSpark_ = new Sparkline(16, 1);
+  private readonly lagSpark_ = new Sparkline(0, 1);
+  private readonly swapsSpark_ = new Sparkline(0, 0.2);
+  /** As of when figures were shown last: they would not be read, did they change with every frame. */
+  private shown_: Pick<StudioState, 'stepMs' | 'lag' | 'swaps' | 'walks'> | null = null;
+
+  constructor(store: StudioStore, actions: StudioActions) {
+    drawPanel(this.root, store, ['parameters', 'frames', 'figures'], (state) => {
+      this.root.classList.toggle('open', state.figures);
+      this.observe(state);
+      const { stepMs, lag, swaps, walks } = this.shown_ ?? state;
+      return (
+        <>
+          <Words state={state} actions={actions} />
+          {state.figures && (
+            <div class="figures">
+              <Figure name="characters" label="Characters" value={formatCount(state.characters)} unit="characters" />
+              <Figure
+                name="ms"
+                label="Step"
+                value={formatMs(stepMs)}
+                unit="ms"
+                spark={this.stepSpark_}
+                tip="Time of a simulation step; the dashes stand at 16 ms"
+              />
+              <Figure
+                name="lag"
+                label="Lag p95"
+                before="lag"
+                value={formatFigure(lag)}
+                unit="m"
+                spark={this.lagSpark_}
+                tip="Distance of characters to their places, p95"
+              />
+              <Figure
+                name="swaps"
+                label="Swaps"
+                value={formatFigure(swaps)}
+                unit="/s"
+                spark={this.swapsSpark_}
+                tip="Changes of place without a command, per character and second"
+              />
+              <Objective state={{ ...state, walks }} actions={actions} />
+            </div>
+          )}
+        </>
+      );
+    });
+  }
+
+  private observe(state: StudioState): void {
+    if (this.shown_ && state.frames % kEvery !== 1) return;
+    const { stepMs, lag, swaps, walks } = state;
+    this.shown_ = { stepMs, lag, swaps, walks };
+    this.stepSpark_.push(stepMs);
+    this.lagSpark_.push(lag);
+    this.swapsSpark_.push(swaps);
+  }
+}

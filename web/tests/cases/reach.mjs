@@ -1,0 +1,256 @@
+// Every panel, menu and dialog at every size: each of its controls can be hit, and nothing lies outside the window.
+import { expect } from '../support/expect.mjs';
+import { press, unreachable } from '../support/reach.mjs';
+import { pause, play, record, stop } from './takes.mjs';
+
+/** Buttons of menus, by what their menu is called here. */
+const kMenus = [
+  ['places', '.scenario-button'],
+  ['takes menu', '.playback .takes'],
+  ['layers', '.phone-bar [aria-label="Layers"]'],
+  ['more', '.phone-bar [aria-label="More"]'],
+  ['directors', '.directors-button'],
+  ['conduct', '.order-tile[aria-label="Conduct"]'],
+  ['speed of parts', '.time-speed'],
+  ['film camera', '.time-camera'],
+];
+
+/** Panels that stay until they are left: how they open, and what tells that they are. */
+const kPanels = [
+  ['figures', (studio) => press(studio, '.plain'), '.figure', (studio) => press(studio, '.plain')],
+  ['field of obstacles', (studio) => key(studio, 'v'), '.legend', (studio) => key(studio, 'v')],
+  ['cost', (studio) => key(studio, 'c'), '.legend', (studio) => key(studio, 'c')],
+  ['measures', (studio) => key(studio, 'Shift+M'), '.measure-panel', (studio) => key(studio, 'Shift+M')],
+  ['notice', (studio) => key(studio, 'Control+z'), '.notice', (studio) => press(studio, '.notice-close')],
+  ['takes shelf', (studio) => item(studio, 'All takes'), '.take-shelf', (studio) => press(studio, '.shelf-close')],
+];
+
+const kDialogs = [
+  ['help', (studio) => key(studio, 'h')],
+  ['control', (studio) => item(studio, 'Control')],
+  ...['New place', 'Saved places', 'Import a file', 'Save this place'].map((name) => [
+    name,
+    async (studio) => (await press(studio, '.scenario-button')) && menuItem(studio, name),
+  ]),
+];
+
+/** Of who steers. */
+const kSteering = [
+  ['words as a formation', (studio) => press(studio, '.formation[data-opens="text"]')],
+  ['formation of one’s own', (studio) => press(studio, '.formation[data-opens="shape"]')],
+  ['group to add', (studio) => press(studio, '.add-group')],
+];
+
+async function key(studio, keys) {
+  await studio.page.evaluate(() => document.querySelector('#scene').focus());
+  await studio.page.keyboard.press(keys);
+  return true;
+}
+
+const menuItem = (studio, name) =>
+  studio.page.evaluate((wanted) => {
+    const found = [...document.querySelectorAll('.menu-item, .place-menu-item')].find(
+      (node) => node.textContent.includes(wanted) && node.getClientRects().length > 0,
+    );
+    found?.click();
+    return found !== undefined;
+  }, name);
+
+/** An item of the menu of takes, which small windows have in More. */
+async function item(studio, name) {
+  const opened = (await press(studio, '.playback .takes')) || (await press(studio, '.phone-bar [aria-label="More"]'));
+  return opened && menuItem(studio, name);
+}
+
+/** What is open at present, and where it fails. */
+class Reach {
+  constructor(studio) {
+    this.studio = studio;
+    this.wrong = [];
+    this.looked = [];
+  }
+
+  async look(name) {
+    await this.studio.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => setTimeout(done, 30))));
+    const found = await unreachable(this.studio);
+    this.looked.push(name);
+    this.wrong.push(...found.map((what) => `${name}: ${what}`));
+    if (found.length > 0) await this.studio.shot(`reach-${name.replace(/\W+/g, '-')}`);
+  }
+
+  /** Opens it, looks, and closes it. A panel that a window of this size opens otherwise is passed over. */
+  async one(name, open, shown, close) {
+    if (!(await open(this.studio))) return;
+    await this.studio.until(
+      name,
+      (what) => [...document.querySelectorAll(what)].some((node) => node.checkVisibility()),
+      shown,
+    );
+    await this.look(name);
+    await close(this.studio);
+  }
+
+  async menus() {
+    for (const [name, button] of kMenus) {
+      if (!(await press(this.studio, button))) continue;
+      await this.look(name);
+      await this.studio.page.keyboard.press('Escape');
+      const left = await this.studio.page.evaluate(
+        () => document.activeElement.ariaLabel ?? document.activeElement.className,
+      );
+      const expanded = await this.studio.page.locator(`#ui ${button}`).first().getAttribute('aria-expanded');
+      if (expanded !== 'false') this.wrong.push(`${name}: Escape leaves it open, with the focus on ${left}`);
+    }
+  }
+
+  async dialogs(list) {
+    for (const [name, open] of list) {
+      if (!(await open(this.studio))) continue;
+      await this.studio.page.locator('dialog[open]').waitFor();
+      await this.look(name);
+      await this.studio.page.keyboard.press('Escape');
+      await this.studio.until(`the end of ${name}`, () => document.querySelector('dialog[open]') === null);
+    }
+  }
+
+  async panels() {
+    for (const [name, open, shown, close] of kPanels) await this.one(name, open, shown, close);
+  }
+
+  tell() {
+    console.log(`      ${this.looked.length} looks: ${this.looked.join(', ')}`);
+    expect(this.wrong.length === 0, `${this.wrong.length} cannot be hit:\n        ${this.wrong.join('\n        ')}`);
+  }
+}
+
+/** Orders for a queue that has something to show. */
+async function giveOrders(studio) {
+  const spots = await studio.page.evaluate(() => {
+    const { x, y } = globalThis.__muster.frame.groups[0];
+    return [3, 6, 9].map((away) => [x + away, y + 2]);
+  });
+  const group = await studio.page.evaluate(() => globalThis.__muster.state.groups[0].id);
+  const commands = spots.map((to, i) => ({
+    kind: 'order',
+    group,
+    order: { target: to },
+    mode: i === 0 ? 'replace' : 'append',
+  }));
+  await studio.send({ type: 'Playback', action: 0 });
+  await studio.send({ type: 'Commands', commands });
+}
+
+async function steering(studio) {
+  const reach = new Reach(studio);
+  await reach.look('first visit');
+  await press(studio, '.hint-done');
+  await reach.look('all that stands');
+  for (const tab of await tabs(studio)) {
+    await press(studio, `[role="tab"][data-tab="${tab}"]`);
+    await reach.look(`tab ${tab}`);
+    await reach.menus();
+    if (tab === 'formation') await reach.dialogs(kSteering);
+  }
+  await reach.dialogs(kDialogs);
+  await reach.panels();
+  await key(studio, 'Shift+E');
+  await studio.page.locator('.build-panel').waitFor();
+  const hiddenTools = await studio.page.evaluate(() => {
+    const { scrollWidth, clientWidth } = document.querySelector('.build-tools');
+    return scrollWidth - clientWidth;
+  });
+  expect(hiddenTools <= 0, `${hiddenTools} px of the tools are out of sight`);
+  for (const tool of await studio.page
+    .locator('.build-tool')
+    .count()
+    .then((count) => [...Array(count).keys()])) {
+    await studio.page.evaluate((n) => document.querySelectorAll('.build-tool')[n].click(), tool);
+    await reach.look(`build ${tool}`);
+  }
+  await key(studio, 'Shift+E');
+  await giveOrders(studio);
+  await press(studio, '[role="tab"][data-tab="orders"]');
+  await studio.until('the queue', () => document.querySelector('.queue-chip')?.checkVisibility());
+  await press(studio, '.queue-chip');
+  await reach.look('queue');
+  if (await press(studio, '.queue-act[aria-label="Formations"]')) {
+    await studio.page.locator('.sequence').waitFor();
+    await reach.look('formations along the way');
+    await press(studio, '.sequence button[aria-label^="Close"]');
+  }
+  await record(studio, 0.3);
+  await reach.look('recording');
+  await stop(studio);
+  await reach.look('card of a take');
+  if (await press(studio, '.order-tile[aria-label="Conduct"]')) await reach.look('conduct beside the card');
+  await studio.page.keyboard.press('Escape');
+  await press(studio, '.card-close');
+  reach.tell();
+}
+
+/** The tabs of the sheet; one nameless where the window has room for all. */
+async function tabs(studio) {
+  const names = await studio.page.evaluate(() =>
+    [...document.querySelectorAll('[role="tab"]')]
+      .filter((node) => node.checkVisibility())
+      .map((node) => node.dataset.tab),
+  );
+  return names.length > 0 ? names : ['formation'];
+}
+
+async function watching(studio) {
+  await record(studio, 0.6);
+  await stop(studio);
+  await play(studio);
+  await pause(studio);
+  const reach = new Reach(studio);
+  await reach.look('time line');
+  await reach.menus();
+  await reach.dialogs(kDialogs);
+  await reach.panels();
+  await press(studio, '.time-path');
+  await studio.page.locator('.path-bar').waitFor();
+  await key(studio, 'v');
+  await key(studio, 'Control+z');
+  await studio.page.locator('.notice').waitFor();
+  await reach.look('path, legend and a notice');
+  await key(studio, 'v');
+  await press(studio, '.path-close');
+  await press(studio, '.time-export');
+  await studio.page.locator('.export-dialog[open]').waitFor();
+  await reach.look('export');
+  for (const kind of await studio.page
+    .locator('.export-kind input')
+    .count()
+    .then((count) => [...Array(count).keys()])) {
+    await studio.page.evaluate((n) => document.querySelectorAll('.export-kind input')[n].click(), kind);
+    await reach.look(`export ${kind}`);
+  }
+  reach.tell();
+  await exportKeepsFocus(studio);
+}
+
+/** After an export the dialog has the focus, so that Escape closes it. */
+async function exportKeepsFocus(studio) {
+  await studio.page.locator('.export-kind input').nth(1).check();
+  await studio.page.locator('.export-begin').press('Enter');
+  await studio.until('the picture', () => /Saved/.test(document.querySelector('.export-said').textContent));
+  const inside = await studio.page.evaluate(() => document.activeElement.closest('.export-dialog') !== null);
+  expect(inside, 'after an export the focus is in its dialog');
+  await studio.page.keyboard.press('Escape');
+  await studio.until('the end of the export', () => !document.querySelector('.export-dialog').open);
+}
+
+const kAllSizes = ['wide', 'landscape', 'tablet', 'portrait', 'phone'];
+/** Two groups, and an invitation to direct. */
+const kTogether = {
+  scenario: 'web/tests/scenarios/two-groups.json',
+  options: ['--lan'],
+  search: '?quality=light',
+  everySize: true,
+};
+
+export const kReachCases = [
+  ['reach: steering', steering, kAllSizes, { ...kTogether, hint: true }],
+  ['reach: watching a take', watching, kAllSizes, kTogether],
+];
