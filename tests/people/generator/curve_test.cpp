@@ -42,7 +42,8 @@ TEST_CASE("curves pass their keys, smoothly, and are held outside") {
         for (const Curve& curve : {Curve::spline(keys, 0.3, -0.2), Curve::eased(keys)}) {
             for (const Key& key : keys) RC_ASSERT(std::fabs(curve.at(key.time) - key.value) < 1e-9);
             for (std::size_t i = 1; i + 1 < keys.size(); ++i) {
-                // Rates change by at most some 6 * 4 / 0.1^2 = 2,400 /s between values of -2 to 2, 0.1 s apart.
+                // Rates change by at most some 6 * 4 / 0.1^2 = 2,400 /s between values of -2 to 2, 0.1 s
+                // apart.
                 const double t = keys[i].time;
                 RC_ASSERT(std::fabs(rateOf(curve, t - 3e-6) - rateOf(curve, t + 3e-6)) < 2 * 2400 * 6e-6);
             }
