@@ -25,12 +25,13 @@ async function atRest(studio) {
   });
 }
 
-/** Drags the list up until the item stands inside it. */
+/** Drags the list up until the item stands inside it, above the ways to one's own places. */
 async function scrollTo(studio, item) {
   const list = await studio.page.locator('.scenario-list').boundingBox();
   for (let i = 0; i < 12; ++i) {
     const box = await item.boundingBox();
-    if (box.y + box.height < list.y + list.height) return;
+    const places = await studio.page.locator('.scenario-places').boundingBox();
+    if (box.y + box.height < places.y) return;
     const x = list.x + list.width / 2;
     await studio.fingers.down({ 1: { x, y: list.y + 0.8 * list.height } });
     await studio.fingers.move({ 1: { x, y: list.y + 0.3 * list.height } }, { steps: 8, ms: 160 });

@@ -2,7 +2,7 @@
 import { expect } from '../support/expect.mjs';
 import { startStudio } from '../support/server.mjs';
 
-const button = (studio, label) => studio.page.locator(`.contents > .layers [aria-label="${label}"]`);
+const button = (studio, label) => studio.page.locator(`.area > .layers [aria-label="${label}"]`);
 const legend = (studio) => studio.page.locator('.legend');
 
 /** Waits for an overlay message and the picture of it. */
