@@ -128,10 +128,11 @@ void warnOfSingleSteps(const WorldDef& def, WarningList& warnings) {
         if (std::fabs(found - clip.length) <= kLengthShare * clip.length) continue;
         char text[160];
         std::snprintf(text, sizeof(text),
-                      ": found %.2f m across, expected %.2f to %.2f m, as a play of \"%.40s\" covers %.2f m",
+                      " is %.2f m across, expected %.2f to %.2f m, as a play of \"%.40s\" covers %.2f m",
                       found, (1.0 - kLengthShare) * clip.length, (1.0 + kLengthShare) * clip.length,
                       clip.name.c_str(), clip.length);
-        warnings.add("$.patches[" + std::to_string(i) + "].polygon" + text);
+        const std::string& name = def.patches[i].name;
+        warnings.add("patch " + std::to_string(i + 1) + (name.empty() ? "" : " \"" + name + "\"") + text);
     }
 }
 

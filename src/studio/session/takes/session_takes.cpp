@@ -194,9 +194,9 @@ void Session::Impl::replayEnded() {
     if (player->stored())
         words = "The take ends here; it was shown from its stored frames.";
     else if (whole && !player->take().marks.empty())
-        words = "The take ends here; every hash matched.";
+        words = "The take ends here. It went as it was recorded.";
     if (const std::uint32_t steps = player->unmarked(); steps > 0 && whole)
-        words += " It was never finished: its last " + std::to_string(steps) + " steps bear no hash.";
+        words += " Its recording was cut off: the last " + std::to_string(steps) + " steps could not be checked.";
     noticeAll(protocol::NoticeLevel::Info, "replay-end", words);
 }
 

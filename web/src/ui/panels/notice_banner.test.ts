@@ -29,7 +29,8 @@ describe('NoticeBanner', () => {
     tell(NoticeLevel.Warning, { hasPlace: true, x: 3.44, y: -2 });
     expect(root.hidden).toBe(false);
     expect(root.querySelector('strong')!.textContent).toBe('No.');
-    expect(root.querySelector('.secondary')!.textContent).toBe('rejected \u00b7 at 3.4, \u22122.0 m');
+    expect(root.querySelector('.banner-words')!.textContent).toBe('No.'); // No code, no coordinates.
+    expect(root.dataset['code']).toBe('rejected');
     expect(show().hidden).toBe(false);
     show().click();
     expect(actions.showNoticePlace).toHaveBeenCalledTimes(1);
@@ -38,7 +39,6 @@ describe('NoticeBanner', () => {
   it('has nothing to show where the place is not known', () => {
     tell(NoticeLevel.Error);
     expect(show().hidden).toBe(true);
-    expect(root.querySelector('.secondary')!.textContent).toBe('rejected');
   });
 
   it('tells info, warning and error apart, and keeps errors until they are closed', () => {

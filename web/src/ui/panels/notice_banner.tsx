@@ -8,13 +8,6 @@ import { element } from '../widgets/dom';
 import type { IconName } from '../widgets/icons';
 import { drawPanel } from '../widgets/panel';
 
-/** What stands under the sentence: the code, and where it happened. */
-export function noticeDetail({ code, hasPlace, x, y }: Notice): string {
-  const metres = (value: number): string => value.toFixed(1).replace('-', '\u2212');
-  if (code === 'undo') return ''; // The sentence says it all.
-  return hasPlace ? `${code} \u00b7 at ${metres(x)}, ${metres(y)} m` : code;
-}
-
 const kLevels: Record<NoticeLevel, { readonly name: string; readonly icon: IconName }> = {
   [NoticeLevel.Info]: { name: 'info', icon: 'info' },
   [NoticeLevel.Warning]: { name: 'warning', icon: 'warning' },
@@ -39,15 +32,11 @@ export class NoticeBanner {
     });
     drawPanel(this.root, store, ['notice'], ({ notice }) => {
       if (!notice) return null;
-      const detail = noticeDetail(notice);
       return (
         <>
           <Icon name={kLevels[notice.level].icon} size={24} />
           <div class="banner-words">
             <strong>{notice.text}</strong>
-            <span class="secondary" hidden={detail === ''}>
-              {detail}
-            </span>
           </div>
           <button
             type="button"
@@ -71,10 +60,11 @@ export class NoticeBanner {
     });
   }
 
-  private tell({ level }: Notice): void {
+  private tell({ level, code }: Notice): void {
     const isError = level === NoticeLevel.Error;
     this.root.setAttribute('role', isError ? 'alert' : 'status');
     this.root.dataset['level'] = kLevels[level].name;
+    this.root.dataset['code'] = code;
     if (!isError) this.timer_ = window.setTimeout(() => this.actions_.dismissNotice(), kNoticeMs);
   }
 }
