@@ -1,7 +1,7 @@
 // Structs of C as values of JavaScript. Copies, but for read-outs and rows.
 
 import { kBodies } from '../generated/layouts.js';
-import { layoutOf, scalarOf, sizeOf, type Field, type Layout, type NumberArray } from './layout.js';
+import { kPointer, layoutOf, scalarOf, sizeOf, type Field, type Layout, type NumberArray } from './layout.js';
 import type { ModuleMemory } from './module_memory.js';
 import { makeReadOut, type Owner } from './read_out.js';
 import { Rows } from './rows.js';

@@ -8,7 +8,7 @@ import { Callbacks } from './callbacks.js';
 import { Decoder } from './decoder.js';
 import { Encoder, type Span } from './encoder.js';
 import type { Handle } from './handle.js';
-import { layoutOf, scalarOf, sizeOf } from './layout.js';
+import { kPointer, layoutOf, scalarOf, sizeOf } from './layout.js';
 import { ModuleMemory } from './module_memory.js';
 import type { MusterModule, NativeFunction } from './module_types.js';
 import { signatureOf, type Parameter, type Signature } from './signature.js';
@@ -26,7 +26,6 @@ interface Call {
   countAt: number;
 }
 
-const kPointer = 4;
 const kHandle = 8;
 const kBuffer = 8;
 

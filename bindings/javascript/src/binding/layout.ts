@@ -77,13 +77,13 @@ export function scalarOf(type: string): Scalar | undefined {
   return kScalarsByName.get(type);
 }
 
+/** Size of a pointer. */
+export const kPointer = 4;
+
 /**
  * How a field is stored. one: as it is. list: pointer and count. maybe: a pointer that may be null. has: with a flag. given: a list
  * with a flag, its count behind its pointer. fixed: so many. counted: text and count. body: that of the kind of a command.
  */
-/** Size of a pointer. */
-export const kPointer = 4;
-
 export type Shape = 'one' | 'list' | 'maybe' | 'has' | 'given' | 'fixed' | 'counted' | 'body';
 
 export interface Field {
