@@ -239,15 +239,13 @@ test('a thing of every kind arrives as it was put', async () => {
 
 test('numbers arrive where the engine looks for them: its own text of the commands says the same', async () => {
   const muster = await engine.loadMuster();
-  const commands = ['Touch', 'SetPose', 'ChangeGroup', 'SetParameter', 'GiveOrder', 'WriteMotion'].map(
-    (name, k) => ({
-      kind: CommandKind[name],
-      step: 60 * (k + 1),
-      client: 1,
-      sequence: k,
-      body: kBodies[name],
-    }),
-  );
+  const commands = ['Touch', 'SetPose', 'ChangeGroup', 'SetParameter', 'GiveOrder', 'WriteMotion'].map((name, k) => ({
+    kind: CommandKind[name],
+    step: 60 * (k + 1),
+    client: 1,
+    sequence: k,
+    body: kBodies[name],
+  }));
   const text = muster.gesturesText(commands, 1 / 60);
   const said = JSON.stringify(JSON.parse(text));
   for (const word of [

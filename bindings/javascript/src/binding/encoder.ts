@@ -3,7 +3,16 @@
 import { kBodies } from '../generated/layouts.js';
 import { wrongValue } from '../muster_error.js';
 import type { Arena } from './arena.js';
-import { kPointer, layoutOf, scalarOf, sizeOf, type Field, type Layout, type NumberArray, type Scalar } from './layout.js';
+import {
+  kPointer,
+  layoutOf,
+  scalarOf,
+  sizeOf,
+  type Field,
+  type Layout,
+  type NumberArray,
+  type Scalar,
+} from './layout.js';
 import type { ModuleMemory } from './module_memory.js';
 import type { NativeFunction } from './module_types.js';
 
