@@ -560,7 +560,6 @@ TEST_CASE("single-step patches that do not suit their clips are reported by name
     def.patches.push_back(wall);
     const auto warnings = scenarioWarnings(def);
     REQUIRE(warnings.size() == 1);
-    for (const char* part :
-         {"patch 2", "is 1.40 m across", "expected 1.02 to 1.38 m", "climb", "1.20 m"})
+    for (const char* part : {"patch 2", "is 1.40 m across", "expected 1.02 to 1.38 m", "climb", "1.20 m"})
         CHECK_MESSAGE(warnings[0].find(part) != std::string::npos, warnings[0]);
 }

@@ -171,7 +171,8 @@ TEST_CASE("Recording keeps a whole take in a file, from the first step on") {
     run(other, 5.0, {&viewer});
     CHECK(other.world()->stepCount() == torn->steps());
     const std::string rest = std::to_string(torn->steps() - 120);
-    CHECK(viewer.noticed("replay-end").find("the last " + rest + " steps could not be checked") != std::string::npos);
+    CHECK(viewer.noticed("replay-end").find("the last " + rest + " steps could not be checked") !=
+          std::string::npos);
     CHECK(other.take().value() == kept->bytes);
 
     client.send(protocol::Record{false});

@@ -196,7 +196,8 @@ void Session::Impl::replayEnded() {
     else if (whole && !player->take().marks.empty())
         words = "The take ends here. It went as it was recorded.";
     if (const std::uint32_t steps = player->unmarked(); steps > 0 && whole)
-        words += " Its recording was cut off: the last " + std::to_string(steps) + " steps could not be checked.";
+        words += " Its recording was cut off: the last " + std::to_string(steps) +
+                 " steps could not be checked.";
     noticeAll(protocol::NoticeLevel::Info, "replay-end", words);
 }
 
