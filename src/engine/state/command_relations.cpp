@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/state/command_checks.h"
+#include "engine/state/group_change.h"
 #include "engine/state/validation.h"
 #include "engine/state/validation_parts.h"
 #include "muster/parameter_table.h"
@@ -117,9 +118,7 @@ Status relations(const ChangeCharacters& c) {
 }
 
 Status relations(const ChangeGroup& c) {
-    if (!c.formation && !c.count && !c.people && !c.conduct && !c.roles && !c.demands && !c.name &&
-        !c.colour && !c.look)
-        return nothingGiven();
+    if (givenFields(c).empty()) return nothingGiven();
     return c.demands ? validateDemands(*c.demands) : Status();
 }
 

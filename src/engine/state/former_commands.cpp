@@ -1,5 +1,6 @@
 // Commands by the names that they had, as those that say the same.
 #include "engine/state/command_archive.h"
+#include "engine/state/group_change.h"
 
 namespace muster {
 
@@ -110,11 +111,7 @@ namespace {
 /// One function for each kind that stands for several former ones.
 struct Former {
     std::optional<FormerKinds> operator()(const ChangeGroup& c) const {
-        const int given = int{c.formation.has_value()} + int{c.count.has_value()} +
-                          int{c.people.has_value()} + int{c.conduct.has_value()} + int{c.roles.has_value()} +
-                          int{c.demands.has_value()} + int{c.name.has_value()} + int{c.colour.has_value()} +
-                          int{c.look.has_value()};
-        if (given != 1) return std::nullopt;
+        if (givenFields(c).size() != 1) return std::nullopt;
         if (c.formation) return SetFormation{c.group, *c.formation};
         if (c.count) return SetCount{c.group, *c.count};
         if (c.people) return SetPeople{c.group, *c.people};

@@ -1,6 +1,34 @@
 #include "engine/state/group_change.h"
 
+#include <optional>
+
 namespace muster {
+namespace {
+
+/// An archive that notes which fields are given.
+struct Given {
+    std::vector<std::size_t> fields;
+    std::size_t next = 0;
+
+    template <class... T>
+    void operator()(T&... values) {
+        (note(values), ...);
+    }
+    void note(const GroupId&) {}
+    template <class T>
+    void note(const std::optional<T>& value) {
+        if (value) fields.push_back(next);
+        ++next;
+    }
+};
+
+}  // namespace
+
+std::vector<std::size_t> givenFields(ChangeGroup change) {
+    Given given;
+    change.visit(given);
+    return given.fields;
+}
 
 void setPlainFields(GroupDef& def, const ChangeGroup& change) {
     if (change.conduct) def.conduct = *change.conduct;

@@ -126,10 +126,13 @@ std::string groupText(const WorldDef& def, std::size_t group) {
     return "group " + std::to_string(group + 1) + " \"" + def.groups[group].name + "\"";
 }
 
-std::string areaText(const WorldDef& def, std::size_t area) {
-    const std::string text = std::string(kindText(def.areas[area].kind)) + " " + std::to_string(area + 1);
-    const std::string& name = def.areas[area].name;
+std::string thingText(std::string_view kind, std::size_t index, const std::string& name) {
+    const std::string text = std::string(kind) + " " + std::to_string(index + 1);
     return name.empty() ? text : text + " \"" + name + "\"";
+}
+
+std::string areaText(const WorldDef& def, std::size_t area) {
+    return thingText(kindText(def.areas[area].kind), area, def.areas[area].name);
 }
 
 bool hasRoom(const WarnedScene& scene, const AreaDef& area, double radius) {

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/ground/environment/environment.h"
@@ -50,6 +51,8 @@ std::string pointText(Vec2 p);
 std::string metresText(double value);
 /// A group as text, by its id: `group 1 "Guests"`.
 std::string groupText(const WorldDef& def, std::size_t group);
+/// A thing as text, by its kind and id and, if it has one, its name: `patch 2 "Net"`.
+std::string thingText(std::string_view kind, std::size_t index, const std::string& name);
 /// An area as text, by its id: `exit 1 "Main door"`.
 std::string areaText(const WorldDef& def, std::size_t area);
 /// True where the middle of a disc of `radius` [m] can be in the area.

@@ -131,8 +131,7 @@ void warnOfSingleSteps(const WorldDef& def, WarningList& warnings) {
                       " is %.2f m across, expected %.2f to %.2f m, as a play of \"%.40s\" covers %.2f m",
                       found, (1.0 - kLengthShare) * clip.length, (1.0 + kLengthShare) * clip.length,
                       clip.name.c_str(), clip.length);
-        const std::string& name = def.patches[i].name;
-        warnings.add("patch " + std::to_string(i + 1) + (name.empty() ? "" : " \"" + name + "\"") + text);
+        warnings.add(thingText("patch", i, def.patches[i].name) + text);
     }
 }
 

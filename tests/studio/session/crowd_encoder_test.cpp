@@ -232,7 +232,7 @@ TEST_CASE("Changed places are sent in cyclic order, each within a few frames and
     encoder.encode(picture, frame);
     CHECK(frame.moved == std::vector<std::uint32_t>{17});
     CHECK(frame.offsets == std::vector<std::int16_t>{5, -9});
-    encoder.restart();
+    encoder = {};
     encoder.encode(picture, frame);
     CHECK(frame.moved.size() == 1'000);
 }

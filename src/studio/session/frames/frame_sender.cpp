@@ -4,8 +4,7 @@ namespace muster {
 
 void FrameSender::restart() {
     sentIds_ = 0;
-    sentMeshes_.clear();
-    queues_.clear();
+    groups_.clear();
 }
 
 Status FrameSender::acknowledge(std::uint32_t number) {
@@ -26,12 +25,10 @@ void FrameSender::sendScene(const WorldPicture& picture, std::vector<MessageByte
     }
     for (std::size_t g = 0; g < picture.world.groupCount(); ++g) {
         const GroupView group = picture.world.group(g);
-        const auto sent = sentMeshes_.find(group.id.value);
-        if (sent != sentMeshes_.end() && sent->second == group.formationVersion) continue;
+        const auto sent = groups_.find(group.id.value);
+        if (sent != groups_.end() && sent->second.mesh == group.formationVersion) continue;
         messages.push_back(protocol::encode(buildGroupMesh(picture.world, g)));
-        sentMeshes_[group.id.value] = group.formationVersion;
-        places_[group.id.value].restart();
-        queues_.erase(group.id.value);
+        groups_[group.id.value] = {group.formationVersion, {}, {}};
     }
 }
 
@@ -41,11 +38,11 @@ void FrameSender::encodeGroups(const WorldPicture& picture) {
     std::vector<protocol::GroupFrame>& groups = picture.frame.groups;
     for (std::size_t g = 0; g < groups.size(); ++g) {
         protocol::GroupFrame& group = groups[g];
-        places_[group.id].encode(picture.frames.places()[g], group);
-        const auto known = queues_.find(group.id);
-        group.queued = known == queues_.end() || known->second != group.orders;
+        SentGroup& sent = groups_[group.id];
+        sent.places.encode(picture.frames.places()[g], group);
+        group.queued = sent.queue != group.orders;
         if (group.queued)
-            queues_[group.id] = group.orders;
+            sent.queue = group.orders;
         else
             group.orders.clear();
     }
@@ -54,7 +51,7 @@ void FrameSender::encodeGroups(const WorldPicture& picture) {
 // All clients share the frame, so it gets the queues back that this client did not need.
 void FrameSender::restoreQueues(protocol::Frame& frame) const {
     for (protocol::GroupFrame& group : frame.groups)
-        if (!group.queued) group.orders = queues_.at(group.id);
+        if (!group.queued) group.orders = *groups_.at(group.id).queue;
 }
 
 void FrameSender::send(const WorldPicture& picture, double echo, std::vector<protocol::EventFrame>& events,

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "muster/session.h"
@@ -37,19 +38,24 @@ public:
               std::vector<MessageBytes>& messages);
 
 private:
+    // A group as the client knows it, since its mesh was sent.
+    struct SentGroup {
+        std::uint32_t mesh = 0;  // Version of its mesh.
+        PlacesEncoder places;
+        std::optional<std::vector<QueuedOrder>> queue;  // None before the first frame.
+    };
+
     void sendScene(const WorldPicture& picture, std::vector<MessageBytes>& messages);
     void encodeGroups(const WorldPicture& picture);
     void restoreQueues(protocol::Frame& frame) const;
 
-    std::uint32_t frame_ = 0;                            // Number of the last frame sent.
-    bool awaitsAck_ = false;                             // True while that frame is not acknowledged.
-    std::uint32_t sentScene_ = 0;                        // Revision of the last scene sent; 0 for none.
-    std::uint32_t sentMotions_ = 0;                      // Revision of the last motions sent; 0 for none.
-    std::uint32_t sentIds_ = 0;                          // Version of the last ids sent; 0 for none.
-    CrowdEncoder crowd_;                                 // The characters as the client knows them.
-    std::map<std::uint32_t, std::uint32_t> sentMeshes_;  // Version of the mesh sent, by group.
-    std::map<std::uint32_t, PlacesEncoder> places_;      // The places as the client knows them, by group.
-    std::map<std::uint32_t, std::vector<QueuedOrder>> queues_;  // The queues as it knows them, by group.
+    std::uint32_t frame_ = 0;                    // Number of the last frame sent.
+    bool awaitsAck_ = false;                     // True while that frame is not acknowledged.
+    std::uint32_t sentScene_ = 0;                // Revision of the last scene sent; 0 for none.
+    std::uint32_t sentMotions_ = 0;              // Revision of the last motions sent; 0 for none.
+    std::uint32_t sentIds_ = 0;                  // Version of the last ids sent; 0 for none.
+    CrowdEncoder crowd_;                         // The characters as the client knows them.
+    std::map<std::uint32_t, SentGroup> groups_;  // What the client knows of each group, by its id.
 };
 
 }  // namespace muster

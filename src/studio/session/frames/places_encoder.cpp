@@ -35,12 +35,6 @@ void PlacesPicture::take(const World& world, std::size_t group) {
     }
 }
 
-void PlacesEncoder::restart() {
-    offsets_.clear();
-    unfit_.clear();
-    next_ = 0;
-}
-
 void PlacesEncoder::encode(const PlacesPicture& picture, protocol::GroupFrame& frame) {
     const std::size_t count = picture.offsets.size() / 2;
     offsets_.resize(2 * count, 0);

@@ -18,12 +18,10 @@ struct PlacesPicture {
     void take(const World& world, std::size_t group);  ///< Copies the present state of a group's places.
 };
 
-/// Remembers what a client knows of a group's places.
+/// Remembers what a client knows of a group's places since the group's mesh was sent: at first it assumes
+/// every place fit and on its mesh point.
 class PlacesEncoder {
 public:
-    /// Must be called when the group's mesh is sent: the client then assumes every place fit and on its mesh
-    /// point.
-    void restart();
     /// Writes the changes. In a large group a frame updates only a share of the places, in cyclic order.
     void encode(const PlacesPicture& picture, protocol::GroupFrame& frame);
 

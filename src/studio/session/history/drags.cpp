@@ -108,7 +108,7 @@ void Drags::hold(Drag& drag, GroupId group, const Scene& scene) {
     if (std::find(drag.groups.begin(), drag.groups.end(), group) != drag.groups.end()) return;
     drag.groups.push_back(group);
     for (const CommandBody& asked : {CommandBody(ChangeGroup{.group = group, .formation = FormationDef{}}),
-                                     CommandBody(SetPose{group})}) {
+                                     CommandBody(SetPose{group, {}, 0.0, false})}) {
         const std::optional<CommandBody> now = presentPart(asked, false, scene);
         if (!now) continue;
         Difference one;

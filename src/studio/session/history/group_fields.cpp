@@ -2,25 +2,10 @@
 
 #include <algorithm>
 
+#include "engine/state/group_change.h"
+
 namespace muster {
 namespace {
-
-/// An archive that notes which fields are given.
-struct Given {
-    std::vector<std::size_t> fields;
-    std::size_t next = 0;
-
-    template <class... T>
-    void operator()(T&... values) {
-        (note(values), ...);
-    }
-    void note(const GroupId&) {}
-    template <class T>
-    void note(const std::optional<T>& value) {
-        if (value) fields.push_back(next);
-        ++next;
-    }
-};
 
 /// An archive that leaves some fields as they are, and takes the others away.
 struct Keep {
@@ -38,21 +23,15 @@ struct Keep {
     }
 };
 
-std::vector<std::size_t> fieldsOf(ChangeGroup change) {
-    Given given;
-    change.visit(given);
-    return given.fields;
-}
-
 }  // namespace
 
 std::size_t firstField(const ChangeGroup& change) {
-    const std::vector<std::size_t> fields = fieldsOf(change);
+    const std::vector<std::size_t> fields = givenFields(change);
     return fields.empty() ? 0 : fields.front();
 }
 
 ChangeGroup sameFields(ChangeGroup whole, const ChangeGroup& asked) {
-    const std::vector<std::size_t> fields = fieldsOf(asked);
+    const std::vector<std::size_t> fields = givenFields(asked);
     Keep keep{fields};
     whole.visit(keep);
     return whole;
@@ -62,7 +41,7 @@ std::vector<CommandBody> singleFields(const CommandBody& body) {
     const auto* change = std::get_if<ChangeGroup>(&body);
     if (change == nullptr) return {body};
     std::vector<CommandBody> singles;
-    for (const std::size_t field : fieldsOf(*change)) {
+    for (const std::size_t field : givenFields(*change)) {
         ChangeGroup single = *change;
         const std::vector<std::size_t> one{field};
         Keep keep{one};
