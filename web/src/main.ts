@@ -19,13 +19,13 @@ import './ui/styles/shapes.css';
 import { ask } from './link/answers';
 import { StudioClient } from './link/studio_client';
 import { fetchBodies } from './scene/crowd/bodies/gltf_body';
-import { openBuildLazily } from './ui/lazy_build';
-import { openMeasuresLazily } from './ui/lazy_measures';
-import { openPathsLazily } from './ui/lazy_path';
-import { openSequenceLazily } from './ui/lazy_sequence';
-import { openPlacesLazily } from './ui/lazy_places';
-import { openTakesLazily } from './ui/lazy_takes';
-import { StudioApp } from './ui/studio_app';
+import { openBuildLazily } from './ui/build/lazy_build';
+import { openMeasuresLazily } from './ui/measures/lazy_measures';
+import { openPathsLazily } from './ui/takes/lazy_path';
+import { openSequenceLazily } from './ui/formations/lazy_sequence';
+import { openPlacesLazily } from './ui/places/lazy_places';
+import { openTakesLazily } from './ui/takes/lazy_takes';
+import { StudioApp } from './ui/app/studio_app';
 import { StudioView } from './scene/studio_view';
 
 function byId<T extends HTMLElement>(id: string, type: new () => T): T {
@@ -66,16 +66,16 @@ async function start(mode: string | undefined): Promise<object> {
   }
   const app = new StudioApp(client, view, canvas, ui);
   const parts = { client, store: app.store, view, canvas, page: ui };
-  app.desk.history.listen(client, canvas);
+  app.orders.history.listen(client, canvas);
   openTakesLazily(parts, firstSeen);
   openPlacesLazily({ ...parts, files: app.files });
-  openBuildLazily({ ...parts, history: app.desk.history });
+  openBuildLazily({ ...parts, history: app.orders.history });
   openPathsLazily(parts);
   openMeasuresLazily(parts);
-  openSequenceLazily({ ...parts, queues: app.desk.queues, frame: () => app.frame });
+  openSequenceLazily({ ...parts, queues: app.orders.queues, frame: () => app.frame });
   const standby = kAbout['standby'];
   if (standby !== undefined)
-    void import('./ui/standby_desk').then(({ standBy }) => standBy(client, app.store, standby));
+    void import('./ui/app/standby_controller').then(({ standBy }) => standBy(client, app.store, standby));
   return {
     get frame() {
       return app.frame;

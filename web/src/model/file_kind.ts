@@ -109,3 +109,13 @@ export function refusal(kind: FileKind, name: string): string | null {
       return `${file} is no take, place, model, map or picture, which the studio opens.`;
   }
 }
+
+async function bytesOf(file: File, count: number): Promise<Uint8Array> {
+  return new Uint8Array(await file.slice(0, count).arrayBuffer());
+}
+
+export async function kindOfFile(file: File): Promise<FileKind> {
+  const head = await bytesOf(file, kHead);
+  const needed = bytesThatTell(head);
+  return kindOf(needed > head.length ? await bytesOf(file, needed) : head);
+}

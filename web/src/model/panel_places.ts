@@ -12,12 +12,12 @@ export const kAreas = [
   'wide',
   'foot',
   'low',
-  'desk',
+  'transport',
   'stat',
   'sheet',
   'top',
 ] as const;
-/** `foot` holds `low`, `desk` and `stat`; `sheet` begins with `top`. */
+/** `foot` holds `low`, `transport` and `stat`; `sheet` begins with `top`. */
 export type Area = (typeof kAreas)[number];
 
 export type PanelName =
@@ -60,7 +60,7 @@ export const kPlaces: Readonly<Record<Layout, Places>> = {
     right: ['orders'],
     wide: [...kNow, 'queue'],
     low: ['view-bar', 'scale'],
-    desk: ['playback'],
+    transport: ['playback'],
     stat: ['readout'],
   },
   landscape: {

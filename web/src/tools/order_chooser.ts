@@ -9,10 +9,10 @@ import type { Contact, ContactOwner } from './contact';
 import { CutTool, type CutSink } from './cut_tool';
 import { GoalPick, GuardDrag, OrderDrag, RouteDrag, type OrderGesture, type OrderSink } from './order_tools';
 
-export type OrderDeskSink = OrderSink & CutSink & BoxSink & { choose(index: number, add: boolean): void };
+export type OrderControllerSink = OrderSink & CutSink & BoxSink & { choose(index: number, add: boolean): void };
 
 export interface OrderChooserTools {
-  readonly desk: OrderDeskSink;
+  readonly orders: OrderControllerSink;
   readonly camera: CameraGesture;
   readonly tool: () => ToolName;
   readonly toGround: (at: ScreenPoint) => GroundPoint | null;
@@ -26,7 +26,7 @@ export class OrderChooser {
   private gesture_: OrderGesture | null = null;
 
   constructor(private readonly tools_: OrderChooserTools) {
-    this.cut_ = new CutTool(tools_.desk);
+    this.cut_ = new CutTool(tools_.orders);
   }
 
   /** Null where the contact is no concern of orders; `over`: index of the formation under it, or -1. */
@@ -45,7 +45,7 @@ export class OrderChooser {
 
   /** Chooses the groups in a box. */
   box(): ContactOwner {
-    return new BoxSelect(this.tools_.desk, this.tools_.toGround);
+    return new BoxSelect(this.tools_.orders, this.tools_.toGround);
   }
 
   /** Drops what is being drawn. */
@@ -55,14 +55,14 @@ export class OrderChooser {
   }
 
   private gestureFor(tool: ToolName, at: GroundPoint, over: number): OrderGesture {
-    const { desk, camera } = this.tools_;
+    const { orders, camera } = this.tools_;
     const ended = (): void => {
       this.gesture_ = null;
     };
-    if (tool === 'guard') return new GuardDrag(desk, camera, ended);
-    if (tool === 'follow' || tool === 'leave' || tool === 'wait') return new GoalPick(desk, camera, ended, tool);
-    if (desk.isChosenAt(at)) return new RouteDrag(desk, camera, ended);
-    const tapped = over < 0 ? null : (add: boolean): void => desk.choose(over, add);
-    return new OrderDrag(desk, camera, ended, tapped);
+    if (tool === 'guard') return new GuardDrag(orders, camera, ended);
+    if (tool === 'follow' || tool === 'leave' || tool === 'wait') return new GoalPick(orders, camera, ended, tool);
+    if (orders.isChosenAt(at)) return new RouteDrag(orders, camera, ended);
+    const tapped = over < 0 ? null : (add: boolean): void => orders.choose(over, add);
+    return new OrderDrag(orders, camera, ended, tapped);
   }
 }

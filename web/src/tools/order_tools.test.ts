@@ -5,9 +5,9 @@ import type { CameraControls } from '../scene/camera/camera_controls';
 import { CameraGesture } from './camera_gesture';
 import type { Contact, ContactOwner } from './contact';
 import { OrderChooser } from './order_chooser';
-import { contactAt, FakeDesk } from './test_support';
+import { contactAt, FakeController } from './test_support';
 
-let desk: FakeDesk;
+let orders: FakeController;
 let tool: ToolName;
 let panned: number;
 let chooser: OrderChooser;
@@ -16,8 +16,8 @@ let chooser: OrderChooser;
 const ranks = [1, 0, -1].flatMap((x) => [1, 0, -1].map((y) => ({ x, y })));
 
 beforeEach(() => {
-  desk = new FakeDesk();
-  desk.ordered = [
+  orders = new FakeController();
+  orders.ordered = [
     { id: 7, index: 0, at: { x: 0, y: 0 }, facing: 0, shape: { formation: 'square', spacing: 1, places: ranks } },
   ];
   tool = 'order';
@@ -26,7 +26,7 @@ beforeEach(() => {
     pan: () => (panned += 1),
     pinch: () => (panned += 1),
   } as unknown as CameraControls);
-  chooser = new OrderChooser({ desk, camera, tool: () => tool, toGround: (at) => at });
+  chooser = new OrderChooser({ orders, camera, tool: () => tool, toGround: (at) => at });
 });
 
 function begin(at: GroundPoint, more: Partial<Contact> = {}, over = -1): ContactOwner {
@@ -46,12 +46,12 @@ function drag(points: readonly GroundPoint[], more: Partial<Contact> = {}, over 
 describe('orders', () => {
   it('a press goes there, a drag is the front: its middle, width and facing', () => {
     drag([{ x: 5, y: 5 }]);
-    expect(desk.moves[0]).toMatchObject({ group: 7, target: { x: 5, y: 5 }, facing: null, width: 0 });
+    expect(orders.moves[0]).toMatchObject({ group: 7, target: { x: 5, y: 5 }, facing: null, width: 0 });
     drag([
       { x: 0, y: 10 },
       { x: 4, y: 10 },
     ]);
-    const [line] = desk.moves;
+    const [line] = orders.moves;
     expect(line!.width).toBeCloseTo(4);
     expect(line!.facing).toBeCloseTo(Math.PI / 2);
     // Nine at 1 m in a front of 4 m: five and four, the front rank on the line.
@@ -62,17 +62,17 @@ describe('orders', () => {
   it('shows the places before it is let go, and none afterwards or when it is dropped', () => {
     const owner = begin({ x: 0, y: 10 });
     owner.move([contactAt(6, 10)]);
-    expect(desk.shown!.moves[0]!.places).toHaveLength(9);
+    expect(orders.shown!.moves[0]!.places).toHaveLength(9);
     chooser.abort();
-    expect(desk.shown).toBeNull();
+    expect(orders.shown).toBeNull();
     owner.end(contactAt(6, 10), false);
-    expect(desk.did).toEqual([]);
+    expect(orders.did).toEqual([]);
   });
 
   it('passes the keys on: Shift queues, Alt frees', () => {
     drag([{ x: 5, y: 5 }], { kind: 'mouse', button: 2, shift: true });
     drag([{ x: 5, y: 5 }], { kind: 'mouse', button: 2, alt: true });
-    expect(desk.did).toEqual(['move queued', 'move free']);
+    expect(orders.did).toEqual(['move queued', 'move free']);
   });
 
   it('the right button orders with any tool, others only with a tool for it', () => {
@@ -80,14 +80,14 @@ describe('orders', () => {
     expect(chooser.choose(contactAt(5, 5), -1)).toBeNull();
     expect(chooser.choose(contactAt(5, 5, { kind: 'mouse' }), -1)).toBeNull();
     drag([{ x: 5, y: 5 }], { kind: 'mouse', button: 2 });
-    expect(desk.did).toEqual(['move']);
+    expect(orders.did).toEqual(['move']);
   });
 
   it('from a chosen formation a way is drawn: its points, a metre apart, and its end', () => {
-    desk.chosenAt = ({ x }) => x < 1;
+    orders.chosenAt = ({ x }) => x < 1;
     const way = Array.from({ length: 41 }, (_, i) => ({ x: i / 4, y: i > 20 ? (i - 20) / 4 : 0 }));
     drag(way);
-    const [move] = desk.moves;
+    const [move] = orders.moves;
     expect(move!.target).toEqual({ x: 10, y: 5 });
     for (let i = 1; i < move!.route.length; ++i) {
       const [a, b] = [move!.route[i - 1]!, move!.route[i]!];
@@ -106,7 +106,7 @@ describe('orders', () => {
       {},
       3,
     );
-    expect(desk.did).toEqual(['choose 3', 'move']);
+    expect(orders.did).toEqual(['choose 3', 'move']);
   });
 
   it('guards a rectangle, and not a speck', () => {
@@ -114,7 +114,7 @@ describe('orders', () => {
     drag([{ x: 5, y: 5 }]);
     tool = 'wait';
     drag([{ x: 6, y: 5 }]);
-    expect(desk.did.splice(0)).toEqual(['leave 5,5', 'wait 6,5']);
+    expect(orders.did.splice(0)).toEqual(['leave 5,5', 'wait 6,5']);
     tool = 'guard';
     drag([
       { x: 8, y: 3 },
@@ -124,7 +124,7 @@ describe('orders', () => {
       { x: 8, y: 3 },
       { x: 8.1, y: 3.1 },
     ]);
-    expect(desk.did).toEqual(['guard 5,5 3,2']);
+    expect(orders.did).toEqual(['guard 5,5 3,2']);
   });
 
   it('a second finger moves the camera, and nobody gets an order', () => {
@@ -136,12 +136,12 @@ describe('orders', () => {
     second.move([contactAt(5, 5, { pointer: 2 })]);
     first.end(contactAt(3, 10), false);
     expect(panned).toBe(2);
-    expect(desk.did).toEqual([]);
-    expect(desk.shown).toBeNull();
+    expect(orders.did).toEqual([]);
+    expect(orders.shown).toBeNull();
   });
 
   it('is dropped where the browser takes the finger away', () => {
     begin({ x: 0, y: 10 }).end(contactAt(8, 10), true);
-    expect(desk.did).toEqual([]);
+    expect(orders.did).toEqual([]);
   });
 });

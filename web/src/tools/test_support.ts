@@ -10,7 +10,7 @@ import type { CameraControls } from '../scene/camera/camera_controls';
 import { CameraGesture } from './camera_gesture';
 import type { Contact } from './contact';
 import type { CutPreview } from './cut_tool';
-import { OrderChooser, type OrderDeskSink } from './order_chooser';
+import { OrderChooser, type OrderControllerSink } from './order_chooser';
 import type { OrderPreview } from './order_tools';
 import type { GroundPoint, ScreenPoint } from '../model/plane';
 
@@ -83,17 +83,17 @@ export function frameWith(step: number, controls: readonly ControlFrame[]): Stud
   return { type: 'Frame', step, groups: [group] } as unknown as StudioFrame;
 }
 
-/** A desk for orders that has no tool in hand and no groups. */
+/** A orders for orders that has no tool in hand and no groups. */
 export function noOrders(): OrderChooser {
   const camera = new CameraGesture({
     pan: () => undefined,
     pinch: () => undefined,
   } as unknown as CameraControls);
-  return new OrderChooser({ desk: new FakeDesk(), camera, tool: () => 'steer', toGround: (at) => at });
+  return new OrderChooser({ orders: new FakeController(), camera, tool: () => 'steer', toGround: (at) => at });
 }
 
 /** Records what orders, cuts and boxes come to. */
-export class FakeDesk implements OrderDeskSink {
+export class FakeController implements OrderControllerSink {
   readonly did: string[] = [];
   ordered: readonly OrderedGroup[] = [];
   cuttable: readonly Cuttable[] = [];

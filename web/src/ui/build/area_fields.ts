@@ -6,8 +6,8 @@ import type { AreaFields, Thing } from '../../model/place/things';
 import type { SceneFacts } from '../../protocol/scene';
 import { element } from '../widgets/dom';
 import type { BuildActions } from './build_actions';
-import { buildIcon } from './build_icons';
-import { numberField, selectField } from './fields';
+import { buildIcon } from '../widgets/build_icons';
+import { numberField, selectField } from '../widgets/fields';
 
 const kDegree = Math.PI / 180;
 const kRate = { min: 0, max: 1000, unit: '1/s' };
@@ -22,9 +22,14 @@ const kApart = 60;
 
 const kOpen = { true: 'Open', false: 'Closed' };
 
-export function areaFields(one: Thing, area: AreaFields, scene: SceneFacts | null, desk: BuildActions): HTMLElement[] {
+export function areaFields(
+  one: Thing,
+  area: AreaFields,
+  scene: SceneFacts | null,
+  actions: BuildActions,
+): HTMLElement[] {
   const change = (label: string, fields: Partial<AreaFields>): void =>
-    desk.edit(label, (it) => ({ ...it, area: it.area && { ...it.area, ...fields } }));
+    actions.edit(label, (it) => ({ ...it, area: it.area && { ...it.area, ...fields } }));
   const fields: HTMLElement[] = [];
   if (area.kind !== 'waiting')
     fields.push(
@@ -35,20 +40,20 @@ export function areaFields(one: Thing, area: AreaFields, scene: SceneFacts | nul
         change('Rate', { rate }),
       ),
     );
-  if (area.kind === 'source') fields.push(joinField(one, scene, desk));
-  if (area.kind !== 'waiting') fields.push(...timeFields(one, area.kind === 'exit', desk));
-  if (area.kind === 'source') fields.push(mostField(one, desk), timetable(one, desk));
+  if (area.kind === 'source') fields.push(joinField(one, scene, actions));
+  if (area.kind !== 'waiting') fields.push(...timeFields(one, area.kind === 'exit', actions));
+  if (area.kind === 'source') fields.push(mostField(one, actions), timetable(one, actions));
   if (area.queue.length > 0) fields.push(noQueue(() => change('No queue', { queue: [] })));
   return fields;
 }
 
-function joinField(one: Thing, scene: SceneFacts | null, desk: BuildActions): HTMLElement {
+function joinField(one: Thing, scene: SceneFacts | null, actions: BuildActions): HTMLElement {
   const choices = groupChoices(scene);
   const words = choices.map(({ word }) => word);
   const shown = choices.find(({ id }) => id === one.group)?.word ?? '';
   return selectField('Join', words, shown, (word) => {
     const group = choices.find((choice) => choice.word === word)?.id ?? one.group;
-    desk.edit('Join', (it) => ({ ...it, group }));
+    actions.edit('Join', (it) => ({ ...it, group }));
   });
 }
 
@@ -58,32 +63,32 @@ function given(one: Thing, key: string, otherwise: number): number {
 }
 
 /** `fields` of the definition; what is as usual is left out. */
-function put(desk: BuildActions, label: string, fields: Readonly<Record<string, unknown>>): void {
-  desk.edit(label, (it) => {
+function put(actions: BuildActions, label: string, fields: Readonly<Record<string, unknown>>): void {
+  actions.edit(label, (it) => {
     const rest = Object.entries({ ...it.rest, ...fields }).filter(([, value]) => value !== undefined);
     return { ...it, rest: Object.fromEntries(rest) };
   });
 }
 
 /** When an exit opens and closes, or people begin and end to come by the rate of a source. */
-function timeFields(one: Thing, exit: boolean, desk: BuildActions): HTMLElement[] {
+function timeFields(one: Thing, exit: boolean, actions: BuildActions): HTMLElement[] {
   const until = given(one, 'until', kForEver);
   const [from, end] = [given(one, 'from', 0), until >= kForEver ? 0 : until];
   return [
     numberField(exit ? 'Opens at' : 'From', from, kTime, (time) => {
-      if (end > 0 && time >= end) return desk.say('That is not before the end.');
-      put(desk, 'Times', { from: time || undefined });
+      if (end > 0 && time >= end) return actions.say('That is not before the end.');
+      put(actions, 'Times', { from: time || undefined });
     }),
     numberField(exit ? 'Closes at, 0: never' : 'Until, 0: no end', end, kTime, (time) => {
-      if (time > 0 && time <= from) return desk.say('That is not after the beginning.');
-      put(desk, 'Times', { until: time || undefined });
+      if (time > 0 && time <= from) return actions.say('That is not after the beginning.');
+      put(actions, 'Times', { until: time || undefined });
     }),
   ];
 }
 
-function mostField(one: Thing, desk: BuildActions): HTMLElement {
+function mostField(one: Thing, actions: BuildActions): HTMLElement {
   return numberField('In all, 0: no end', given(one, 'most', 0), kPeople, (most) =>
-    put(desk, 'Number', { most: most || undefined }),
+    put(actions, 'Number', { most: most || undefined }),
   );
 }
 
@@ -92,10 +97,10 @@ function arrivalsOf({ rest }: Thing): readonly Arrivals[] {
 }
 
 /** People who come at times of their own, beside those of the rate. */
-function timetable(one: Thing, desk: BuildActions): HTMLElement {
+function timetable(one: Thing, actions: BuildActions): HTMLElement {
   const rows = arrivalsOf(one);
   const change = (next: (now: readonly Arrivals[]) => readonly Arrivals[]): void =>
-    desk.edit('Timetable', (it) => {
+    actions.edit('Timetable', (it) => {
       const rest = Object.fromEntries(Object.entries(it.rest).filter(([key]) => key !== 'timetable'));
       const sorted = [...next(arrivalsOf(it))].sort((a, b) => a.time - b.time);
       return { ...it, rest: sorted.length > 0 ? { ...rest, timetable: sorted } : rest };
@@ -130,16 +135,16 @@ function noQueue(act: () => void): HTMLElement {
 }
 
 /** `ascent`: heading of the way up [rad]. */
-export function stairsFields(one: Thing, ascent: number, desk: BuildActions): HTMLElement[] {
+export function stairsFields(one: Thing, ascent: number, actions: BuildActions): HTMLElement[] {
   const speed = (label: string, key: 'speed' | 'speedDown'): HTMLElement => {
     const now = [key, 'speed'].map((known) => given(one, known, -1)).find((value) => value > 0);
     return numberField(label, now ?? NaN, kSpeed, (value) =>
-      desk.edit(label, (it) => ({ ...it, rest: { ...it.rest, [key]: value } })),
+      actions.edit(label, (it) => ({ ...it, rest: { ...it.rest, [key]: value } })),
     );
   };
   return [
     numberField('Up towards', ascent / kDegree, { min: -3600, max: 3600, unit: '°' }, (degrees) =>
-      desk.edit('Way up', (it) => ({ ...it, ascent: degrees * kDegree })),
+      actions.edit('Way up', (it) => ({ ...it, ascent: degrees * kDegree })),
     ),
     speed('Speed up', 'speed'),
     speed('Speed down', 'speedDown'),

@@ -31,7 +31,7 @@ const kNudge = { short: 0.1, long: 1 };
 
 export class BuildKeys {
   constructor(
-    private readonly desk_: BuildActions,
+    private readonly actions_: BuildActions,
     private readonly open_: () => boolean,
   ) {
     window.addEventListener('keydown', (event) => this.pressed(event), { capture: true });
@@ -51,12 +51,12 @@ export class BuildKeys {
 
   private command({ key, shiftKey }: KeyboardEvent): boolean {
     const acts: Readonly<Record<string, () => void>> = {
-      z: () => this.desk_.undo(shiftKey),
-      y: () => this.desk_.undo(true),
-      c: () => this.desk_.copy(),
-      v: () => this.desk_.paste(),
-      d: () => this.desk_.duplicate(),
-      a: () => this.desk_.chooseAll(),
+      z: () => this.actions_.undo(shiftKey),
+      y: () => this.actions_.undo(true),
+      c: () => this.actions_.copy(),
+      v: () => this.actions_.paste(),
+      d: () => this.actions_.duplicate(),
+      a: () => this.actions_.chooseAll(),
     };
     const act = acts[key.toLowerCase()];
     act?.();
@@ -68,14 +68,14 @@ export class BuildKeys {
     const onButton = target instanceof HTMLElement && target.closest('[role="toolbar"]') !== null;
     if (arrow && !onButton) {
       const step = shiftKey ? kNudge.long : kNudge.short;
-      this.desk_.nudge(arrow[0] * step, arrow[1] * step);
+      this.actions_.nudge(arrow[0] * step, arrow[1] * step);
       return true;
     }
-    if (key === 'Escape') return (this.desk_.leave(), true);
-    if (key === 'Delete' || key === 'Backspace') return (this.desk_.remove(), true);
-    if (key === 'Enter' && !(target instanceof HTMLButtonElement)) return (this.desk_.finishPolygon(), true);
+    if (key === 'Escape') return (this.actions_.leave(), true);
+    if (key === 'Delete' || key === 'Backspace') return (this.actions_.remove(), true);
+    if (key === 'Enter' && !(target instanceof HTMLButtonElement)) return (this.actions_.finishPolygon(), true);
     const tool = shiftKey ? undefined : kBuildTools.find((one) => kToolKeys[one] === key.toLowerCase());
-    if (tool) this.desk_.setTool(tool);
+    if (tool) this.actions_.setTool(tool);
     return tool !== undefined;
   }
 }

@@ -9,9 +9,9 @@ import { element, setPressed, setText } from '../widgets/dom';
 import { icon } from '../widgets/icons';
 import { kShapes, type BuildActions } from './build_actions';
 import { ChosenFields } from './chosen_fields';
-import { buildIcon } from './build_icons';
+import { buildIcon } from '../widgets/build_icons';
 import { kToolKeys } from './build_keys';
-import { numberField, selectField } from './fields';
+import { numberField, selectField } from '../widgets/fields';
 
 const kLabels: Record<BuildTool, string> = {
   select: 'Select',
@@ -69,13 +69,13 @@ export class BuildPanel {
   private readonly options_ = element('div', { class: 'build-fields' });
   private readonly fields_: ChosenFields;
   private readonly play_ = element('button', { type: 'button', 'aria-label': 'Play', 'data-tip': 'Play' });
-  private readonly undo_ = this.act('undo', 'Undo', () => this.desk_.undo());
-  private readonly redo_ = this.act('redo', 'Redo', () => this.desk_.undo(true));
-  private readonly remove_ = this.act('remove', 'Remove', () => this.desk_.remove());
-  private readonly copy_ = this.act('copy', 'Duplicate', () => this.desk_.duplicate());
+  private readonly undo_ = this.act('undo', 'Undo', () => this.actions_.undo());
+  private readonly redo_ = this.act('redo', 'Redo', () => this.actions_.undo(true));
+  private readonly remove_ = this.act('remove', 'Remove', () => this.actions_.remove());
+  private readonly copy_ = this.act('copy', 'Duplicate', () => this.actions_.duplicate());
 
-  constructor(private readonly desk_: BuildActions) {
-    this.fields_ = new ChosenFields(desk_);
+  constructor(private readonly actions_: BuildActions) {
+    this.fields_ = new ChosenFields(actions_);
     const palette = element('div', { class: 'build-tools', role: 'toolbar', 'aria-label': 'What to build' });
     for (const tool of kBuildTools) palette.append(this.toolButton(tool));
     const done = element(
@@ -85,7 +85,7 @@ export class BuildPanel {
     );
     done.addEventListener('click', () => this.end());
     this.play_.append(icon('play'));
-    this.play_.addEventListener('click', () => this.desk_.togglePlay());
+    this.play_.addEventListener('click', () => this.actions_.togglePlay());
     const acts = element(
       'div',
       { class: 'build-acts', role: 'group', 'aria-label': 'Edit' },
@@ -124,8 +124,8 @@ export class BuildPanel {
 
   /** Ends building whatever is being drawn. */
   private end(): void {
-    this.desk_.setTool('select');
-    for (let k = 0; k < 3; ++k) this.desk_.leave();
+    this.actions_.setTool('select');
+    for (let k = 0; k < 3; ++k) this.actions_.leave();
   }
 
   private act(name: 'undo' | 'redo' | 'remove' | 'copy', label: string, act: () => void): HTMLButtonElement {
@@ -148,18 +148,18 @@ export class BuildPanel {
       buildIcon(tool),
       element('span', {}, kLabels[tool]),
     );
-    button.addEventListener('click', () => this.desk_.setTool(tool));
+    button.addEventListener('click', () => this.actions_.setTool(tool));
     this.tools_.set(tool, button);
     return button;
   }
 
   private layers(): HTMLElement {
     const snaps = element('input', { type: 'checkbox', checked: true });
-    snaps.addEventListener('change', () => this.desk_.setSnaps(snaps.checked));
+    snaps.addEventListener('change', () => this.actions_.setSnaps(snaps.checked));
     const rows = kThingKinds.map((kind) => {
       const box = (what: 'hidden' | 'locked', label: string): HTMLElement => {
         const input = element('input', { type: 'checkbox', 'aria-label': `${label} ${kLayers[kind].toLowerCase()}` });
-        input.addEventListener('change', () => this.desk_.toggleLayer(kind, what, input.checked));
+        input.addEventListener('change', () => this.actions_.toggleLayer(kind, what, input.checked));
         return element('label', {}, input, label);
       };
       return element('li', {}, element('span', {}, kLayers[kind]), box('hidden', 'Hide'), box('locked', 'Lock'));
@@ -180,11 +180,14 @@ export class BuildPanel {
   }
 
   private optionsOf(tool: BuildTool, scene: SceneFacts | null): HTMLElement[] {
-    const { desk_: desk } = this;
+    const { actions_: actions } = this;
     const set = (change: Partial<DrawingOptions>): void => {
-      desk.options = { ...desk.options, ...change };
+      actions.options = { ...actions.options, ...change };
     };
-    const makers = { ...this.plainOptions(desk.options, scene, set), ...this.areaOptions(desk.options, scene, set) };
+    const makers = {
+      ...this.plainOptions(actions.options, scene, set),
+      ...this.areaOptions(actions.options, scene, set),
+    };
     return makers[tool]?.() ?? [];
   }
 

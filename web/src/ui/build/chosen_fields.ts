@@ -6,7 +6,7 @@ import type { SceneFacts } from '../../protocol/scene';
 import { element } from '../widgets/dom';
 import { kShapes, type BuildActions } from './build_actions';
 import { areaFields, stairsFields } from './area_fields';
-import { numberField, selectField, textField } from './fields';
+import { numberField, selectField, textField } from '../widgets/fields';
 import { groupColourField } from './group_colour_field';
 import { groupBodyFields } from './group_body_fields';
 import { PersonFields } from './person_fields';
@@ -44,8 +44,8 @@ export class ChosenFields {
 
   private readonly persons_: PersonFields;
 
-  constructor(private readonly desk_: BuildActions) {
-    this.persons_ = new PersonFields(desk_);
+  constructor(private readonly actions_: BuildActions) {
+    this.persons_ = new PersonFields(actions_);
   }
 
   private hold(held: boolean): void {
@@ -83,27 +83,27 @@ export class ChosenFields {
   }
 
   private fieldsOf(one: Thing, scene: SceneFacts | null): HTMLElement[] {
-    const { desk_: desk } = this;
+    const { actions_: actions } = this;
     const fields = [
-      numberField('X', one.centre[0], kFar, (x) => desk.edit('Move', (it) => moved(it, x - it.centre[0], 0))),
-      numberField('Y', one.centre[1], kFar, (y) => desk.edit('Move', (it) => moved(it, 0, y - it.centre[1]))),
+      numberField('X', one.centre[0], kFar, (x) => actions.edit('Move', (it) => moved(it, x - it.centre[0], 0))),
+      numberField('Y', one.centre[1], kFar, (y) => actions.edit('Move', (it) => moved(it, 0, y - it.centre[1]))),
     ];
     if (one.kind === 'obstacle' || one.kind === 'patch' || one.kind === 'area')
-      fields.unshift(textField('Name', one.name, (name) => desk.edit('Rename', (it) => ({ ...it, name }))));
+      fields.unshift(textField('Name', one.name, (name) => actions.edit('Rename', (it) => ({ ...it, name }))));
     if (one.polygon) fields.push(...this.size(one), this.turn());
     if (one.radius > 0 && one.kind !== 'group')
       fields.push(
-        numberField('Radius', one.radius, kSize, (radius) => desk.edit('Resize', (it) => ({ ...it, radius }))),
+        numberField('Radius', one.radius, kSize, (radius) => actions.edit('Resize', (it) => ({ ...it, radius }))),
       );
     if (one.kind === 'obstacle')
       fields.push(
         numberField('Height', one.height, { min: 0.01, max: 1000, unit: 'm' }, (height) =>
-          desk.edit('Height', (it) => ({ ...it, height })),
+          actions.edit('Height', (it) => ({ ...it, height })),
         ),
       );
     if (one.kind === 'patch') fields.push(this.motion(one, scene));
-    if (one.ascent !== null) fields.push(...stairsFields(one, one.ascent, desk));
-    if (one.area) fields.push(...areaFields(one, one.area, scene, desk));
+    if (one.ascent !== null) fields.push(...stairsFields(one, one.ascent, actions));
+    if (one.area) fields.push(...areaFields(one, one.area, scene, actions));
     if (one.kind === 'checkpoint') fields.push(...this.checkpoint(one));
     if (one.kind === 'group') fields.push(...this.group(one));
     if (one.path) fields.push(this.stop());
@@ -117,62 +117,62 @@ export class ChosenFields {
     const about = { x: (extent.minX + extent.maxX) / 2, y: (extent.minY + extent.maxY) / 2 };
     return [
       numberField('Across', width, kSize, (wide) =>
-        this.desk_.edit('Scale', (it) => scaled(it, about, wide / Math.max(0.01, width))),
+        this.actions_.edit('Scale', (it) => scaled(it, about, wide / Math.max(0.01, width))),
       ),
     ];
   }
 
   private turn(): HTMLElement {
     return numberField('Turn by', 0, { min: -360, max: 360, unit: '°' }, (degrees) =>
-      this.desk_.turnChosen(degrees * kDegree),
+      this.actions_.turnChosen(degrees * kDegree),
     );
   }
 
   private motion(one: Thing, scene: SceneFacts | null): HTMLElement {
     const clips = scene?.clips.map(({ name }) => name) ?? [];
     return selectField('Motion', clips, clips[one.motion] ?? '', (name) =>
-      this.desk_.edit('Motion', (it) => ({ ...it, motion: clips.indexOf(name) })),
+      this.actions_.edit('Motion', (it) => ({ ...it, motion: clips.indexOf(name) })),
     );
   }
 
   private checkpoint(one: Thing): HTMLElement[] {
     return [
       selectField('Formation', kShapes, one.formation.kind, (kind) =>
-        this.desk_.edit('Formation', (it) => ({ ...it, formation: { ...it.formation, kind: formationKind(kind) } })),
+        this.actions_.edit('Formation', (it) => ({ ...it, formation: { ...it.formation, kind: formationKind(kind) } })),
       ),
     ];
   }
 
   private group(one: Thing): HTMLElement[] {
-    const { desk_: desk } = this;
+    const { actions_: actions } = this;
     const spacing = one.formation.spacing ?? 1;
     const formation = (change: Partial<FormationWords>): void =>
-      desk.editGroup('Formation', (it) => ({
+      actions.editGroup('Formation', (it) => ({
         kind: 'changeGroup',
         group: it.id,
         formation: { ...it.formation, ...change },
       }));
     return [
       textField('Name', one.name, (name) => {
-        if (name) desk.editGroup('Rename', (it) => ({ kind: 'changeGroup', group: it.id, name }));
+        if (name) actions.editGroup('Rename', (it) => ({ kind: 'changeGroup', group: it.id, name }));
       }),
       numberField('People', one.count, { min: Math.min(1, one.count), max: 20000, whole: true }, (count) =>
-        desk.editGroup('People', (it) => ({ kind: 'changeGroup', group: it.id, count })),
+        actions.editGroup('People', (it) => ({ kind: 'changeGroup', group: it.id, count })),
       ),
       numberField('Spacing', spacing, { min: 0.3, max: 20, unit: 'm' }, (value) => formation({ spacing: value })),
       selectField('Formation', kShapes, one.formation.kind, (kind) => formation({ kind: formationKind(kind) })),
       numberField('Faces', one.angle / kDegree, { min: -3600, max: 3600, unit: '°' }, (degrees) =>
-        desk.edit('Turn', (it) => turned(it, { x: it.centre[0], y: it.centre[1] }, degrees * kDegree - it.angle)),
+        actions.edit('Turn', (it) => turned(it, { x: it.centre[0], y: it.centre[1] }, degrees * kDegree - it.angle)),
       ),
-      groupColourField(one, desk),
-      ...groupBodyFields(one, desk, (held) => this.hold(held)),
+      groupColourField(one, actions),
+      ...groupBodyFields(one, actions, (held) => this.hold(held)),
       this.persons_.make(one),
     ];
   }
 
   private stop(): HTMLElement {
     const button = element('button', { type: 'button', class: 'soft' }, 'Stand still');
-    button.addEventListener('click', () => this.desk_.edit('Stand still', (it) => ({ ...it, path: null })));
+    button.addEventListener('click', () => this.actions_.edit('Stand still', (it) => ({ ...it, path: null })));
     return button;
   }
 }

@@ -27,13 +27,13 @@ function show(one: Thing): void {
 
 beforeEach(() => {
   sent = [];
-  const desk = {
+  const actions = {
     editGroup: (label: string, event: (one: Thing) => PlaceChange) => sent.push([label, event(shown)]),
     dragBegins: vi.fn(() => sent.push(['begins', null])),
     dragGroup: (label: string, event: (one: Thing) => PlaceChange, ends: boolean) =>
       sent.push([`${ends ? 'ends' : 'drags'} ${label}`, event(shown)]),
   };
-  fields = new ChosenFields(desk as unknown as BuildActions);
+  fields = new ChosenFields(actions as unknown as BuildActions);
   document.body.replaceChildren(fields.root);
   show(group);
 });

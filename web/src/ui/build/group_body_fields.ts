@@ -4,7 +4,7 @@ import { areaOf, classesOf, kAnywhere, kAreas, withArea } from '../../model/plac
 import type { PlaceChange, Thing } from '../../model/place/things';
 import type { GroupLook } from '../../protocol/generated/commands';
 import type { BuildActions } from './build_actions';
-import { selectField, sliderField, type SliderRange } from './fields';
+import { selectField, sliderField, type SliderRange } from '../widgets/fields';
 
 const kRadius: SliderRange = { min: 0.05, max: 1.5, from: 0.1, to: 1, step: 0.01, unit: 'm' };
 const kSpeed: SliderRange = { min: 0.01, max: 50, from: 0.1, to: 6, step: 0.1, unit: 'm/s' };
@@ -23,7 +23,7 @@ type Hold = (held: boolean) => void;
 
 function bodySlider(
   [one, key, label, range]: readonly [Thing, 'radius' | 'maxSpeed', string, SliderRange],
-  desk: BuildActions,
+  actions: BuildActions,
   hold: Hold,
 ): HTMLElement {
   const event =
@@ -32,28 +32,28 @@ function bodySlider(
   const dragging = {
     begins: () => {
       hold(true);
-      desk.dragBegins();
+      actions.dragBegins();
     },
-    drags: (value: number) => desk.dragGroup(label, event(value), false),
+    drags: (value: number) => actions.dragGroup(label, event(value), false),
     ends: (value: number) => {
-      desk.dragGroup(label, event(value), true);
+      actions.dragGroup(label, event(value), true);
       hold(false);
     },
   };
   const value = one.body?.[key] ?? null;
-  return sliderField(label, value, range, dragging, (typed) => desk.editGroup(label, event(typed)));
+  return sliderField(label, value, range, dragging, (typed) => actions.editGroup(label, event(typed)));
 }
 
 /** Build and motion set: a look has both, none for what is as usual. */
 function appearanceField(
   one: Thing,
   [key, label, words]: readonly ['build' | 'motions', string, Readonly<Record<string, string>>],
-  desk: BuildActions,
+  actions: BuildActions,
 ): HTMLElement {
   const word = one.rest[key];
   return selectField(label, Object.values(words), words[typeof word === 'string' ? word : ''] ?? '', (shown) => {
     const chosen = Object.keys(words).find((known) => words[known] === shown) ?? '';
-    desk.editGroup(label, ({ id, rest }) => {
+    actions.editGroup(label, ({ id, rest }) => {
       const wished = { build: rest['build'] ?? null, motions: rest['motions'] ?? null, [key]: chosen || null };
       return { kind: 'changeGroup', group: id, look: wished as GroupLook };
     });
@@ -61,26 +61,30 @@ function appearanceField(
 }
 
 /** `hold`: a slider is being dragged, so that the fields have to stay. */
-export function groupBodyFields(one: Thing, desk: BuildActions, hold: Hold): HTMLElement[] {
+export function groupBodyFields(one: Thing, actions: BuildActions, hold: Hold): HTMLElement[] {
   const { body, roles } = one;
   if (!body) return [];
   const unitClass = body.unitClass === null ? kMixed : body.unitClass === 0 ? kNone : String(body.unitClass);
   return [
-    bodySlider([one, 'radius', 'Body radius', kRadius], desk, hold),
-    bodySlider([one, 'maxSpeed', 'Top speed', kSpeed], desk, hold),
-    appearanceField(one, ['build', 'Build', kBuilds], desk),
-    appearanceField(one, ['motions', 'Motion set', kMotions], desk),
+    bodySlider([one, 'radius', 'Body radius', kRadius], actions, hold),
+    bodySlider([one, 'maxSpeed', 'Top speed', kSpeed], actions, hold),
+    appearanceField(one, ['build', 'Build', kBuilds], actions),
+    appearanceField(one, ['motions', 'Motion set', kMotions], actions),
     selectField('Class', kClasses, unitClass, (word) => {
       const chosen = word === kNone ? 0 : Number(word);
       if (word !== kMixed)
-        desk.editGroup('Class', ({ id }) => ({
+        actions.editGroup('Class', ({ id }) => ({
           kind: 'groupBody',
           edit: { ...kAsTheyAre, group: id, unitClass: chosen },
         }));
     }),
     ...classesOf(body, roles).map((of) =>
       selectField(`Class ${of} stands`, [kAnywhere, ...Object.values(kAreas)], areaOf(roles, of), (label) =>
-        desk.editGroup('Role', (it) => ({ kind: 'changeGroup', group: it.id, roles: withArea(it.roles, of, label) })),
+        actions.editGroup('Role', (it) => ({
+          kind: 'changeGroup',
+          group: it.id,
+          roles: withArea(it.roles, of, label),
+        })),
       ),
     ),
   ];

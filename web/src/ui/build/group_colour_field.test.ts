@@ -19,8 +19,10 @@ const marked = (): (string | null)[] =>
 
 beforeEach(() => {
   sent = [];
-  const desk = { editGroup: (label: string, event: (one: Thing) => PlaceChange) => sent.push([label, event(group)]) };
-  fields = new ChosenFields(desk as unknown as BuildActions);
+  const actions = {
+    editGroup: (label: string, event: (one: Thing) => PlaceChange) => sent.push([label, event(group)]),
+  };
+  fields = new ChosenFields(actions as unknown as BuildActions);
   document.body.replaceChildren(fields.root);
   fields.show([group], null);
 });

@@ -94,11 +94,11 @@ function ownField(chosen: string | null, choose: (colour: string) => void): HTML
   );
 }
 
-export function groupColourField(one: Thing, desk: BuildActions): HTMLElement {
+export function groupColourField(one: Thing, actions: BuildActions): HTMLElement {
   const chosen = chosenOf(one.colour);
   const choose = (colour: string | null): void => {
     if ((colour?.toUpperCase() ?? null) === chosen) return;
-    desk.editGroup('Colour', ({ id }) => ({
+    actions.editGroup('Colour', ({ id }) => ({
       kind: 'changeGroup',
       group: id,
       colour: { colour: colour ? numberOfColour(colour) : null },

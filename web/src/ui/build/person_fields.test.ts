@@ -46,12 +46,12 @@ const last = (): { people?: unknown } => sent[sent.length - 1] as { people?: unk
 beforeEach(() => {
   sent = [];
   said = '';
-  const desk = {
+  const actions = {
     editGroup: (_: string, event: (one: Thing) => PlaceChange) => sent.push(event(shown)),
     edit: (_: string, change: (one: Thing) => Thing) => sent.push(change(shown).rest),
     say: (text: string) => (said = text),
   };
-  fields = new ChosenFields(desk as unknown as BuildActions);
+  fields = new ChosenFields(actions as unknown as BuildActions);
   document.body.replaceChildren(fields.root);
 });
 

@@ -16,7 +16,7 @@ import {
 import type { Thing } from '../../model/place/things';
 import { element } from '../widgets/dom';
 import type { BuildActions } from './build_actions';
-import { numberField, selectField, textField } from './fields';
+import { numberField, selectField, textField } from '../widgets/fields';
 
 const kAlike = 'All alike';
 const kAdultsWord = 'Adults';
@@ -45,7 +45,7 @@ export class PersonFields {
   /** What the world has been told and does not show yet: the next change goes on from it. */
   private given_: { readonly sorts: readonly PersonSort[]; readonly at: number } | null = null;
 
-  constructor(private readonly desk_: BuildActions) {}
+  constructor(private readonly actions_: BuildActions) {}
 
   make(one: Thing): HTMLElement {
     const sorts = (one.rest['people'] ?? []) as readonly PersonSort[];
@@ -73,7 +73,7 @@ export class PersonFields {
 
   private give(sorts: readonly PersonSort[]): void {
     this.given_ = { sorts, at: performance.now() };
-    this.desk_.editGroup('Persons', ({ id }) => ({ kind: 'changeGroup', group: id, people: sorts }));
+    this.actions_.editGroup('Persons', ({ id }) => ({ kind: 'changeGroup', group: id, people: sorts }));
   }
 
   private adding(): HTMLElement {

@@ -2,8 +2,8 @@
 
 import { kWindow, type AreaMeasure, type LineMeasure, type Measure } from '../../model/measures/measures';
 import type { GroundPoint } from '../../model/plane';
-import { numberField } from '../build/fields';
-import { buildIcon } from '../build/build_icons';
+import { numberField } from '../widgets/fields';
+import { buildIcon } from '../widgets/build_icons';
 import { element, setPressed, setText } from '../widgets/dom';
 import { icon } from '../widgets/icons';
 import { Plot, type PlotPoint } from './plot';

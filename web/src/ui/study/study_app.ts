@@ -5,10 +5,10 @@ import { NoticeLevel, StudyAct, StudyStage, type StudyForm, type StudyState } fr
 import type { StudioClient } from '../../link/studio_client';
 import type { StudioFrame } from '../../model/studio_frame';
 import type { StudioView } from '../../scene/studio_view';
-import { AttentionSender } from '../attention_sender';
-import { LayoutWatcher } from '../layout_watcher';
-import { schemeView } from '../scheme_desk';
-import { applyTheme, followSystemTheme, preferredTheme } from '../theme';
+import { AttentionSender } from '../app/attention_sender';
+import { LayoutWatcher } from '../app/layout_watcher';
+import { schemeView } from '../steer/scheme_controller';
+import { applyTheme, followSystemTheme, preferredTheme } from '../widgets/theme';
 import { formPage } from './form_page';
 import { ReplayBar } from './replay_bar';
 import { elsewherePage, endPage, pausedPage, readyPage, waitingPage } from './stage_pages';

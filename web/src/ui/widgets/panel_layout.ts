@@ -17,12 +17,12 @@ export class PanelLayout {
 
   constructor(page: HTMLElement) {
     kLayouts.set(page, this);
-    const [low, desk, stat, top] = [area('low'), area('desk'), area('stat'), area('top')];
+    const [low, transport, stat, top] = [area('low'), area('transport'), area('stat'), area('top')];
     const sheet = element('div', { class: 'area area-sheet sheet' }, top);
-    const foot = area('foot', low, desk, stat);
+    const foot = area('foot', low, transport, stat);
     const [head, bar] = [element('header', { class: 'area area-head' }), area('bar')];
     const [left, note, right, wide] = [area('left'), area('note'), area('right'), area('wide')];
-    this.areas_ = { head, bar, left, note, right, wide, foot, low, desk, stat, sheet, top };
+    this.areas_ = { head, bar, left, note, right, wide, foot, low, transport, stat, sheet, top };
     const main = element('div', { class: 'contents', role: 'region', 'aria-label': 'Tools' });
     main.append(bar, left, note, right, wide, foot, sheet);
     page.append(head, main);

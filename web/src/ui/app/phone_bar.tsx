@@ -1,0 +1,57 @@
+// Small windows have two buttons here: one for the layers, one for all that the sheet has no space for.
+
+import type { StudioActions } from '../../model/studio_actions';
+import type { StudioStore } from '../../model/studio_store';
+import { element } from '../widgets/dom';
+import { Held } from '../widgets/held';
+import { Menu, MenuItem } from '../widgets/menu';
+import { drawPanel } from '../widgets/panel';
+import { LayerBar } from '../steer/layer_bar';
+
+export class PhoneBar {
+  readonly root = element('div', { class: 'phone-bar panel' });
+
+  /** `openTake` and `openCharacter` let the visitor choose files. */
+  constructor(store: StudioStore, actions: StudioActions, openTake: () => void, openCharacter: () => void) {
+    const layers = new LayerBar(store, actions).root;
+    drawPanel(this.root, store, ['ownCharacter'], ({ ownCharacter }) => (
+      <>
+        <Menu
+          opener={{ icon: 'layers', label: 'Layers', iconOnly: true }}
+          class="phone-layers"
+          label="What is shown"
+          placement="bottom-end"
+        >
+          {() => <Held make={() => layers} />}
+        </Menu>
+        <Menu
+          opener={{ icon: 'more', label: 'More', iconOnly: true }}
+          class="phone-menu"
+          label="More"
+          placement="bottom-end"
+        >
+          {(close) => (
+            <>
+              <MenuItem icon="restart" label="Restart" close={close} act={() => actions.restart()} />
+              <MenuItem icon="empty" label="Fit the view" close={close} act={() => actions.fit()} />
+              <MenuItem icon="takes" label="All takes…" close={close} act={() => actions.showShelf(true)} />
+              <MenuItem icon="download" label="Download take" close={close} act={() => actions.downloadTake()} />
+              <MenuItem icon="open" label="Open take…" close={close} act={openTake} />
+              <MenuItem icon="character" label="Own character…" close={close} act={openCharacter} />
+              <MenuItem
+                icon="places"
+                label="Our people"
+                hidden={ownCharacter === ''}
+                close={close}
+                act={() => actions.ourPeople()}
+              />
+              <MenuItem icon="steer" label="Control…" close={close} act={() => actions.showSchemes(true)} />
+              <MenuItem icon="moon" label="Light or dark" close={close} act={() => actions.toggleTheme()} />
+              <MenuItem icon="help" label="Help" close={close} act={() => actions.showHelp(true)} />
+            </>
+          )}
+        </Menu>
+      </>
+    ));
+  }
+}

@@ -1,0 +1,325 @@
+// Places in the page: the dialog, the browser's shelf, import, autosave, and models that are shown as scenery.
+
+import type { StudioClient } from '../../link/studio_client';
+import { sentenceOf } from '../../model/file_trouble';
+import { fileNameOf, freeName, type KeptPlace } from '../../model/place_files/kept_place';
+import { movedTo, type Imported, type ImportSettings, type ImportSource } from '../../model/place_files/imports';
+import { leftOutText, type LeftOut } from '../../model/place_files/left_out';
+import { additionOf, within } from '../../model/place_files/new_place';
+import { obstacleOf, type PlaceDefinition } from '../../model/place_files/place';
+import type { PlaceActions } from '../../model/place_files/place_actions';
+import { boxOf } from '../../model/place_files/place_drawing';
+import { sceneryOf, type SceneryModel } from '../../model/place_files/scenery';
+import type { Template } from '../../model/place_files/templates';
+import type { PlacesView } from '../../model/studio_state';
+import type { StudioStore } from '../../model/studio_store';
+import { NoticeLevel, type EditHistory } from '../../protocol/messages';
+import { problem } from '../../protocol/problem';
+import type { StudioScene } from '../../scene/studio_scene';
+import '../styles/shelf.css';
+import '../styles/places.css';
+import { placeBanner } from './place_banner';
+import { PlaceDialog } from './place_dialog';
+import { PlaceAutosave } from './place_autosave';
+import { PlaceLink } from './place_link';
+import { readSource } from './place_reader';
+import { PlaceShelf } from './place_shelf';
+import { takePicture } from '../../scene/scene_picture';
+import { saveBlob } from '../../link/answers';
+
+const kPicture = { width: 320, height: 180 };
+/** A picture that takes longer is done without [ms]. */
+const kPictureWait = 1500;
+
+export interface PlaceParts {
+  readonly client: StudioClient;
+  readonly store: StudioStore;
+  readonly view: StudioScene;
+  readonly canvas: HTMLCanvasElement;
+  readonly page: HTMLElement;
+  readonly files: { open(files: readonly File[]): Promise<void> };
+}
+
+export class PlaceController implements PlaceActions {
+  private readonly link_ = new PlaceLink();
+  private readonly shelf_ = new PlaceShelf();
+  private readonly autosave_ = new PlaceAutosave({
+    link: this.link_,
+    shelf: this.shelf_,
+    picture: () => this.picture(),
+  });
+  private readonly dialog_: PlaceDialog;
+  private places_: readonly KeptPlace[] = [];
+  private restore_: (() => Promise<void>) | null = null;
+  /** The place whose models are shown. */
+  private sceneryOf_ = '';
+  private models_: readonly SceneryModel[] = [];
+
+  constructor(private readonly parts_: PlaceParts) {
+    const { store, client, page } = parts_;
+    this.dialog_ = new PlaceDialog(this, () => {
+      // Its event comes late: a file that fell on the page meanwhile may have opened it again.
+      if (!this.dialog_.root.open) store.set({ places: 'none', placeFiles: [] });
+    });
+    page.append(this.dialog_.root);
+    store.watch(['places', 'placeFiles'], ({ places, placeFiles }) => this.shown(places, placeFiles));
+    store.watch(['title'], ({ title }) => void this.showScenery(title));
+    client.on('scene', () => this.autosave_.changed());
+    // Another server may come back: its place is not what was edited.
+    client.on('link', ({ phase }) => phase !== 'open' && this.autosave_.setEdited(false, '', false));
+  }
+
+  // The dialog.
+
+  show(view: PlacesView): void {
+    this.parts_.store.set({ places: view, placeFiles: [] });
+  }
+
+  private close(): void {
+    this.dialog_.root.close();
+  }
+
+  private shown(view: PlacesView, files: readonly File[]): void {
+    if (view === 'none') return this.close();
+    this.dialog_.show(view);
+    if (view === 'save') this.dialog_.setName(this.parts_.store.state.title || 'Place');
+    if (view === 'shelf') {
+      this.dialog_.list.forgetUndo();
+      void this.refresh();
+    }
+    if (files.length > 0) void (view === 'import' ? this.readFiles(files) : this.openFile(files[0]!));
+  }
+
+  openFiles(files: readonly File[]): void {
+    const { store } = this.parts_;
+    const before = store.state;
+    void this.parts_.files.open(files).then(() => {
+      const { notice, placeFiles } = store.state;
+      // A dialog hides the banner: it says itself what is wrong. What is no place is opened elsewhere.
+      if (notice && notice !== before.notice) this.dialog_.say(notice.text);
+      else if (placeFiles === before.placeFiles) this.close();
+    });
+  }
+
+  /** Does something of which the dialog tells where it fails; a banner does where the dialog is closed. */
+  private async tried(work: () => Promise<void>): Promise<void> {
+    try {
+      await work();
+    } catch (error) {
+      const text = sentenceOf(error, 'The file cannot be used: parts of it are damaged.');
+      if (this.dialog_.root.open) this.dialog_.say(text);
+      else this.parts_.store.set({ notice: problem('place', text) });
+    }
+  }
+
+  private tell(text: string): void {
+    this.parts_.store.set({ notice: { ...problem('place', text), level: NoticeLevel.Info } });
+  }
+
+  private async refresh(): Promise<void> {
+    this.places_ = await this.shelf_.list();
+    this.dialog_.setPlaces(this.places_);
+  }
+
+  // Opening.
+
+  /** Opens a file for everybody; `models` are shown in it. */
+  private async open(text: string, name: string, models?: readonly SceneryModel[]): Promise<void> {
+    await this.autosave_.flush();
+    const known = models ?? (await this.shelf_.scenery(name));
+    await this.link_.open(text, name);
+    await this.shelf_.keepScenery(name, known);
+    this.sceneryOf_ = '';
+    this.close();
+    if (this.parts_.store.state.title === name) await this.showScenery(name);
+  }
+
+  private async openFile(file: File): Promise<void> {
+    await this.tried(async () => {
+      const text = await file.text();
+      let name = file.name.replace(/\.json$/i, '');
+      try {
+        name = (JSON.parse(text) as PlaceDefinition).name || name;
+      } catch {
+        throw new Error(`“${file.name}” cannot be read: it is no whole JSON file.`);
+      }
+      try {
+        await this.open(text, name);
+      } catch (error) {
+        throw new Error(sentenceOf(error, `“${name}” cannot be used.`).replace(`“${name}”`, `“${file.name}”`));
+      }
+    });
+  }
+
+  openTemplate(template: Template): void {
+    void this.tried(() => this.open(JSON.stringify(template.make()), template.name, []));
+  }
+
+  openPlace(place: KeptPlace): void {
+    void this.tried(async () => {
+      if (place.auto) this.autosave_.markSeen(place);
+      await this.open(await this.shelf_.read(place.id), place.name);
+    });
+  }
+
+  // The shelf.
+
+  duplicatePlace(place: KeptPlace): void {
+    void this.tried(async () => {
+      const name = freeName(
+        `${place.name} copy`,
+        this.places_.map((one) => one.name),
+      );
+      await this.shelf_.save(name, await this.shelf_.read(place.id), place.picture);
+      await this.shelf_.keepScenery(name, await this.shelf_.scenery(place.name));
+      await this.refresh();
+    });
+  }
+
+  renamePlace(place: KeptPlace, wanted: string): void {
+    void this.tried(async () => {
+      const others = this.places_.filter((one) => one.id !== place.id && !one.auto);
+      const name = freeName(
+        wanted,
+        others.map((one) => one.name),
+      );
+      await this.shelf_.keepScenery(name, await this.shelf_.scenery(place.name));
+      // What was kept by itself is kept on purpose now.
+      if (place.auto) await this.shelf_.save(name, await this.shelf_.read(place.id), place.picture);
+      else await this.shelf_.rename(place.id, name);
+      if (place.auto) await this.shelf_.remove(place.id);
+      await this.refresh();
+    });
+  }
+
+  downloadPlace(place: KeptPlace): void {
+    void this.tried(async () => this.download(await this.shelf_.read(place.id), place.name));
+  }
+
+  removePlace(place: KeptPlace): void {
+    void this.tried(async () => {
+      this.restore_ = await this.shelf_.remove(place.id);
+      await this.refresh();
+      this.dialog_.list.offerUndo(place);
+    });
+  }
+
+  restorePlace(): void {
+    void this.tried(async () => {
+      await this.restore_?.();
+      this.restore_ = null;
+      await this.refresh();
+    });
+  }
+
+  // Saving.
+
+  savePresent(name: string): void {
+    void this.tried(async () => {
+      const text = await this.link_.read();
+      const present = this.parts_.store.state.title;
+      await this.shelf_.save(name, text, await this.picture());
+      if (name !== present) await this.shelf_.keepScenery(name, await this.shelf_.scenery(present));
+      const auto = (await this.shelf_.list()).find((one) => one.auto && one.name === present);
+      if (auto) await this.shelf_.remove(auto.id);
+      this.dialog_.saySaved(
+        this.shelf_.lasting
+          ? `“${name}” is saved in this browser.`
+          : `This browser keeps “${name}” only until the page is left: download it, too.`,
+      );
+    });
+  }
+
+  downloadPresent(name: string): void {
+    void this.tried(async () => {
+      const text = await this.link_.read();
+      const place = JSON.parse(text) as PlaceDefinition;
+      this.download(place.name === name ? text : JSON.stringify({ ...place, name }), name);
+    });
+  }
+
+  private download(text: string, name: string): void {
+    saveBlob(new Blob([text], { type: 'application/json' }), fileNameOf(name));
+  }
+
+  private picture(): Promise<Blob | null> {
+    const { view, canvas } = this.parts_;
+    const late = new Promise<null>((done) => window.setTimeout(() => done(null), kPictureWait));
+    return Promise.race([takePicture(view, canvas, kPicture.width, kPicture.height), late]);
+  }
+
+  // Import.
+
+  private async readFiles(files: readonly File[]): Promise<void> {
+    await this.tried(async () => {
+      const source = await readSource(files);
+      const present = await this.link_.read().then(
+        (text) => JSON.parse(text) as PlaceDefinition,
+        () => null,
+      );
+      this.dialog_.import.open(source, present, this.parts_.view.attention());
+    });
+  }
+
+  openImported(source: ImportSource, { place, meshes }: Imported, settings: ImportSettings, shown: boolean): void {
+    void this.tried(async () => {
+      const models = shown ? [sceneryOf(source.file, meshes, { x: 0, y: 0 }, place.obstacles ?? [])] : [];
+      await this.open(JSON.stringify(place), settings.name, models);
+    });
+  }
+
+  addImported(source: ImportSource, imported: Imported, settings: ImportSettings, shown: boolean): void {
+    void this.tried(async () => {
+      const { client, store } = this.parts_;
+      const [[left, bottom], [right, top]] = boxOf(JSON.parse(await this.link_.read()) as PlaceDefinition);
+      const out: LeftOut = {};
+      const box = { min: { x: left, y: bottom }, max: { x: right, y: top } };
+      const outlines = movedTo(imported.outlines, settings.at);
+      const kept = within(outlines, box, out);
+      if (kept.length === 0) throw new Error('All of it would lie outside the place.');
+      const obstacles = kept.map(obstacleOf);
+      const gesture = 0x80000000 + Math.floor(Math.random() * 0x7fffffff);
+      for (const message of additionOf(obstacles, `Import ${[...source.file].slice(0, 30).join('')}`, gesture))
+        client.send(message);
+      const { title } = store.state;
+      if (shown) {
+        const model = sceneryOf(source.file, imported.meshes, settings.at, obstacles);
+        await this.shelf_.keepScenery(title, [...(await this.shelf_.scenery(title)), model]);
+        this.sceneryOf_ = '';
+        await this.showScenery(title);
+      }
+      this.close();
+      const added =
+        kept.length === 1 ? '1 obstacle is added.' : `${kept.length.toLocaleString('en')} obstacles are added.`;
+      this.tell([added, leftOutText(out, outlines.length)].filter((one) => one !== '').join(' '));
+    });
+  }
+
+  // Scenery and autosave.
+
+  async showScenery(title: string): Promise<void> {
+    if (title === this.sceneryOf_) return;
+    this.sceneryOf_ = title;
+    const models = await this.shelf_.scenery(title).catch(() => []);
+    if (this.sceneryOf_ !== title || (models.length === 0 && this.models_.length === 0)) return;
+    this.models_ = models;
+    this.parts_.view.setScenery(models);
+  }
+
+  setHistory({ edited, undo, redo }: Omit<EditHistory, 'type'>): void {
+    this.autosave_.setEdited(edited, this.parts_.store.state.title, undo + redo > 0);
+  }
+
+  async offerKept(): Promise<void> {
+    const { page } = this.parts_;
+    const place = await this.autosave_.lost();
+    page.querySelector('.place-banner')?.remove();
+    if (!place) return;
+    const banner = placeBanner(
+      place,
+      () => this.openPlace(place),
+      () => this.autosave_.markSeen(place),
+    );
+    (page.querySelector('.banners') ?? page).append(banner);
+  }
+}

@@ -1,0 +1,40 @@
+// One export on the server: begun, followed, cancelled, saved.
+
+import { save } from '../../link/answers';
+import { exportAddress, type ExportProgress, type ExportWish, type ShelfLink } from '../../link/shelf_link';
+
+const kPollMs = 300;
+
+/** Calls back with the share done until the file is there. */
+export class ServerExport {
+  private number_ = '';
+  private cancelled_ = false;
+
+  constructor(
+    private readonly shelf_: Pick<ShelfLink, 'beginExport' | 'exportProgress' | 'cancelExport'>,
+    private readonly wait_: (ms: number) => Promise<void> = (ms) => new Promise((done) => setTimeout(done, ms)),
+    private readonly save_: (address: string, fileName: string) => unknown = save,
+  ) {}
+
+  /** The finished file, which is saved; null where it was cancelled. Throws a sentence where it fails. */
+  async run(wish: ExportWish, progress: (share: number) => void): Promise<ExportProgress | null> {
+    this.number_ = await this.shelf_.beginExport(wish);
+    while (!this.cancelled_) {
+      const now = await this.shelf_.exportProgress(this.number_);
+      if (this.cancelled_) break;
+      if (now.state === 'failed') throw new Error(`The take could not be exported: ${now.problem ?? 'unknown'}.`);
+      progress(now.share);
+      if (now.state === 'done') {
+        await this.save_(exportAddress(this.number_), now.file);
+        return now;
+      }
+      await this.wait_(kPollMs);
+    }
+    await this.shelf_.cancelExport(this.number_).catch(() => undefined);
+    return null;
+  }
+
+  cancel(): void {
+    this.cancelled_ = true;
+  }
+}
