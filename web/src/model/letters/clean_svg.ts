@@ -27,9 +27,12 @@ function cleaned(node: Element): void {
   }
 }
 
+/** What would run; browsers complain of it as soon as they read it. */
+const kRuns = /\son\w+\s*=\s*("[^"]*"|'[^']*')/gi;
+
 /** The drawing without all else; null where the text is none. */
 export function cleanSvg(text: string): Element | null {
-  const root = new DOMParser().parseFromString(text, 'image/svg+xml').documentElement;
+  const root = new DOMParser().parseFromString(text.replace(kRuns, ''), 'image/svg+xml').documentElement;
   if (root.localName !== 'svg' || root.querySelector('parsererror')) return null;
   cleaned(root);
   return root;
