@@ -163,24 +163,40 @@ export async function pictureUpright(studio) {
   });
 }
 
-/** What a phone reads in a picture of the screen, held nearer and nearer. */
+/** What a phone reads in a picture of the screen, from far away, where its lens lets neighbours melt together. */
 async function readCode(studio) {
   const picture = (await studio.page.screenshot()).toString('base64');
-  for (const scale of [1, 0.75, 0.5, 0.4, 0.3, 0.25]) {
-    const { data, width, height } = await studio.page.evaluate(
-      async ([source, share]) => {
+  for (const [scale, blur] of [
+    [0.5, 2],
+    [0.4, 2],
+    [0.3, 1],
+    [0.25, 1],
+  ]) {
+    const { grey, width, height } = await studio.page.evaluate(
+      async ([source, share, far]) => {
         const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${source}`)).blob());
         const canvas = document.createElement('canvas');
         [canvas.width, canvas.height] = [Math.round(image.width * share), Math.round(image.height * share)];
         const pen = canvas.getContext('2d');
         pen.imageSmoothingQuality = 'high';
+        pen.filter = `blur(${far}px)`;
         pen.drawImage(image, 0, 0, canvas.width, canvas.height);
-        const { data: pixels } = pen.getImageData(0, 0, canvas.width, canvas.height);
-        return { data: [...pixels], width: canvas.width, height: canvas.height };
+        const { data } = pen.getImageData(0, 0, canvas.width, canvas.height);
+        let text = '';
+        for (let i = 0; i < data.length; i += 4)
+          text += String.fromCharCode(Math.round(0.3 * data[i] + 0.59 * data[i + 1] + 0.11 * data[i + 2]));
+        return { grey: btoa(text), width: canvas.width, height: canvas.height };
       },
-      [picture, scale],
+      [picture, scale, blur],
     );
-    const found = jsQR(new Uint8ClampedArray(data), width, height)?.data;
+    const pixels = Buffer.from(grey, 'base64').reduce(
+      (all, one, i) => {
+        all.set([one, one, one, 255], 4 * i);
+        return all;
+      },
+      new Uint8ClampedArray(4 * width * height),
+    );
+    const found = jsQR(pixels, width, height)?.data;
     if (found) return found;
   }
   return null;

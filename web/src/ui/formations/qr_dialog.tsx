@@ -10,8 +10,11 @@ import { activeGroup, Ends, inMetres, leave, MorePeople, type ShapeDialogProps }
 /** Bodies stand so many of their radii apart, but never nearer than this [m]. */
 const kRadii = 2.1;
 const kLeastGap = 0.5;
-/** Height over width of what a common lens sees of the ground below it: its field of view is about 53 degrees. */
-const kLens = 1;
+/**
+ * From so many times its width bodies melt together for a lens, as measured with pictures of a crowd: the code then fills a
+ * quarter of what a common lens sees.
+ */
+const kFar = 4;
 
 let lastAddress = 'https://';
 let fromAbove = true;
@@ -61,7 +64,7 @@ export class QrDialog extends Component<ShapeDialogProps> {
     const { modules, side, spare } = answer.code;
     const metres = (modules + 2 * kQuietZone) * side * this.gap();
     const rest = spare > 0 ? ` ${spare} stand below it.` : '';
-    const how = `Read from straight above, ${Math.ceil(kLens * metres)} m up or more.`;
+    const how = `Read from straight above and far away, about ${Math.round((kFar * metres) / 10) * 10} m up: it fills a quarter of the picture there.`;
     return `${Math.round(metres)} m wide with the free ground round it.${rest} ${how}`;
   }
 
