@@ -36,6 +36,8 @@ export interface ShapeActions {
   asSeen(places: readonly GroundPoint[], spacing: number): OwnShape;
   /** A shape as the visitor sees it: x to the right, y up [m]. */
   seen(shape: OwnShape): GroundPoint[];
+  /** Its left and right change, as the visitor sees them. */
+  mirrored(shape: OwnShape): OwnShape;
   /** The active group gets more people, or fewer. */
   setPeople(count: number): void;
   /** The formation of the active group as it would stand undisturbed; null where there is none. */

@@ -3,7 +3,7 @@
 import { Component, type VNode } from 'preact';
 import type { GroundPoint } from '../../model/plane';
 import { kMostLetters, removeShape, savedShapes, saveShape, type SavedShape } from '../../model/saved_shapes';
-import { forCount, loosened, mirrored, turned, type OwnShape } from '../../model/shape_edit';
+import { forCount, loosened, turned, type OwnShape } from '../../model/shape_edit';
 import { Icon } from '../widgets/buttons';
 import { Dialog, Field } from '../widgets/dialog';
 import { PlaceDots } from '../widgets/place_dots';
@@ -15,7 +15,6 @@ const kLooser = 1.15;
 const storage = (): Storage => window.localStorage;
 
 const kChanges: readonly (readonly [string, (shape: OwnShape) => OwnShape])[] = [
-  ['Mirror', mirrored],
   ['Turn left', (shape) => turned(shape, kTurn)],
   ['Turn right', (shape) => turned(shape, -kTurn)],
   ['Closer', (shape) => loosened(shape, 1 / kLooser)],
@@ -92,9 +91,10 @@ export class OwnShapeDialog extends Component<ShapeDialogProps, Edited> {
   }
 
   private tools(): VNode {
+    const mirror = ['Mirror', (shape: OwnShape) => this.props.shapes.mirrored(shape)] as const;
     return (
       <div class="shape-tools" role="group" aria-label="Changes">
-        {kChanges.map(([label, change]) => (
+        {[mirror, ...kChanges].map(([label, change]) => (
           <button
             key={label}
             type="button"

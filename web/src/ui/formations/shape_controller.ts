@@ -6,7 +6,7 @@ import { areaOf, centreOf, outlineFrom } from '../../model/outline';
 import type { GroundPoint } from '../../model/plane';
 import type { Design, NewGroup, ShapeActions } from '../../model/shape_actions';
 import { formationKind, type FormationWords } from '../../model/sequence';
-import { forCount, turned, type OwnShape } from '../../model/shape_edit';
+import { forCount, mirrored, turned, type OwnShape } from '../../model/shape_edit';
 import type { StandPose } from '../../model/stand';
 import type { StudioFrame } from '../../model/studio_frame';
 import type { StudioStore } from '../../model/studio_store';
@@ -117,6 +117,10 @@ export class ShapeController implements ShapeActions, OutlineSink {
 
   seen(shape: OwnShape): GroundPoint[] {
     return [...turned(shape, -this.viewTurn()).places];
+  }
+
+  mirrored(shape: OwnShape): OwnShape {
+    return mirrored(shape, this.viewTurn() + Math.PI / 2);
   }
 
   /** From the group's axes to the picture's: its right lies so far to the left of the group's front [rad]. */
