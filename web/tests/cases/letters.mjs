@@ -163,6 +163,20 @@ export async function pictureUpright(studio) {
   });
 }
 
+/** Places that nobody can get to are said in the dialog, and again where the formation is taken up all the same. */
+export async function unreachableIsSaid(studio) {
+  const words = /\d+ of 36 places cannot be reached/;
+  await openDialog(studio, 'shape');
+  for (let i = 0; i < 10; ++i) await dialog(studio).locator('button', { hasText: 'Looser' }).click();
+  await studio.eventually(async () =>
+    expect(words.test(await dialog(studio).locator('.shape-ground').textContent()), 'the dialog says it'),
+  );
+  await takeUp(studio);
+  await studio.eventually(async () =>
+    expect(words.test(await studio.page.locator('.notice').textContent()), 'a notice says it afterwards'),
+  );
+}
+
 /** What a phone reads in a picture of the screen, from far away, where its lens lets neighbours melt together. */
 async function readCode(studio) {
   const picture = (await studio.page.screenshot()).toString('base64');
@@ -185,7 +199,7 @@ async function readCode(studio) {
         let text = '';
         for (let i = 0; i < data.length; i += 4)
           text += String.fromCharCode(Math.round(0.3 * data[i] + 0.59 * data[i + 1] + 0.11 * data[i + 2]));
-        return { grey: btoa(text), width: canvas.width, height: canvas.height };
+        return { grey: globalThis.btoa(text), width: canvas.width, height: canvas.height };
       },
       [picture, scale, blur],
     );
@@ -239,6 +253,7 @@ export const kLetterCases = [
     ['desktop', 'phone'],
     { scenario: 'web/tests/scenarios/letters.json' },
   ],
+  ['letters: places out of reach', unreachableIsSaid, ['desktop'], { scenario: 'scenarios/block.json' }],
   [
     'letters: a code is read from above',
     qrFromAbove,
