@@ -76,6 +76,16 @@ function readerOf(weight: number): LetterReader {
   return reader;
 }
 
+/** A letter that no font has: browsers draw the same box in place of each such letter. */
+const kNoLetter = '\u{10ffff}';
+
+/** The first letter that no font of this browser has a drawing of; null where there is none. */
+export function missingLetter(words: string): string | null {
+  const drawing = (char: string): string => pictureOf(char, 750)?.mask.cells.toString() ?? '';
+  const box = drawing(kNoLetter);
+  return [...words].find((char) => char.trim() !== '' && drawing(char) === box) ?? null;
+}
+
 /** Words spread over the letters of the font; null where they have no room for so many. */
 export function outlineWords(words: string, count: number): WordPlaces | null {
   const perLetter = count / Math.max(1, words.replace(/\s/g, '').length);

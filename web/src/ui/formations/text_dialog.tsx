@@ -1,12 +1,13 @@
 // Words as a formation, with what can be read of them before anybody moves.
 
 import { Component, type VNode } from 'preact';
+import { strokeLetters } from '../../model/letters/stroke_font';
 import { peopleFor, strokeWords, type WordPlaces } from '../../model/letters/words';
 import type { GroundPoint } from '../../model/plane';
 import { Dialog, Field } from '../widgets/dialog';
 import { PlaceDots } from '../widgets/place_dots';
 import { activeGroup, Ends, inMetres, kWordGap, leave, MorePeople, type ShapeDialogProps } from './dialog_ends';
-import { bestWords, outlinePeopleFor } from './outline_letters';
+import { bestWords, missingLetter, outlinePeopleFor } from './outline_letters';
 
 const kMostLetters = 24;
 
@@ -15,18 +16,23 @@ interface Written {
   readonly count: number;
   readonly places: readonly GroundPoint[];
   readonly set: WordPlaces | null;
+  /** A letter that there is no drawing of. */
+  readonly missing: string | null;
   /** To be read; 0 where that is not known. */
   readonly needs: number;
 }
 
 function write(words: string, count: number): Written {
+  const missing = strokeLetters(words) ? null : missingLetter(words);
+  if (missing) return { words, count, missing, set: null, needs: 0, places: [] };
   const set = bestWords(words, count, strokeWords(words, count));
   const unread = words !== '' && !set?.legibility.reads;
   const needs = unread ? peopleFor(words) || outlinePeopleFor(words, count) : 0;
-  return { words, count, set, needs, places: set ? inMetres(set.places, set.gap, kWordGap) : [] };
+  return { words, count, missing, set, needs, places: set ? inMetres(set.places, set.gap, kWordGap) : [] };
 }
 
-function said({ words, count, set, needs }: Written, name: string): { text: string; warns: boolean } {
+function said({ words, count, missing, set, needs }: Written, name: string): { text: string; warns: boolean } {
+  if (missing) return { text: `No font here has the letter “${missing}”.`, warns: true };
   if (words === '') return { text: `${name}: ${count} people.`, warns: false };
   if (set?.legibility.reads) return { text: `Can be read, with ${count} people.`, warns: false };
   const needed = needs > count ? `; ${needs} needed` : '';
@@ -39,7 +45,7 @@ let lastWords = '';
 
 export class TextDialog extends Component<ShapeDialogProps> {
   private input_: HTMLInputElement | null = null;
-  private written_: Written = { words: '', count: 0, places: [], set: null, needs: 0 };
+  private written_: Written = { words: '', count: 0, places: [], set: null, missing: null, needs: 0 };
 
   override componentDidMount(): void {
     this.input_?.select();
