@@ -15,6 +15,7 @@ import * as findings from './cases/findings.mjs';
 import * as forms from './cases/forms.mjs';
 import * as groupAppearance from './cases/group_appearance.mjs';
 import * as groupColour from './cases/group_colour.mjs';
+import * as keys from './cases/keys.mjs';
 import * as limits from './cases/limits.mjs';
 import * as look from './cases/look.mjs';
 import * as measures from './cases/measures.mjs';
@@ -44,6 +45,7 @@ import { kPort, startStudio } from './support/server.mjs';
 import { StudioPage } from './support/studio_page.mjs';
 
 const kOpen = { scenario: 'scenarios/open.json', room: true };
+const kTwo = { touch: false, scenario: 'web/tests/scenarios/two-groups.json', room: true };
 const kTablets = ['desktop', 'landscape', 'portrait'];
 
 /** Name, test, sizes, and options of the page. `room`: zoomed out, to have room to drag; `shared`: one page serves all such
@@ -71,6 +73,7 @@ const kCases = [
   ],
   ['mouse: camera', mouseAndKeys.mouseCamera, ['desktop'], { touch: false, shared: true }],
   ['keyboard only', mouseAndKeys.keyboardOnly, ['desktop'], { touch: false, room: true, shared: true }],
+  ['keys: orders and cuts', keys.ordersAndCuts, ['desktop'], kTwo],
   ['units: split and merge', orders.splitAndMerge, kTablets, { room: true }],
   ['units: pulled apart', orders.pullApart, ['landscape'], { room: true }],
   [

@@ -7,6 +7,7 @@ import type { GroundPoint } from '../model/plane';
 import type { BodyBuildWord } from '../protocol/generated/words';
 import type { SceneGroup } from '../protocol/messages';
 import type { DrawnCut, DrawnForecast, DrawnOrder, OrderScene } from './marks/order_marks';
+import { saidOf } from './marks/stand_marks';
 import { schemePicture, type CrowdPlaces, type SchemeView } from './marks/scheme_marks';
 
 type Ways = ReadonlyMap<number, readonly GroundPoint[]>;
@@ -110,6 +111,11 @@ export class OrderPicture {
     if (colours.join() === this.colours_.join() && builds.join() === this.builds_.join()) return false;
     [this.colours_, this.builds_] = [colours, builds];
     return true;
+  }
+
+  /** What would come of the order that is being drawn, in words. */
+  get words(): string {
+    return saidOf(this.forecasts_, this.drawn_?.note?.text);
   }
 
   /** For the marks. */

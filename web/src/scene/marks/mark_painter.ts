@@ -14,6 +14,8 @@ export interface MarkColours {
 
 const kHandle = 22;
 const kRing = 60;
+/** The ring of the cursor, and where the arms of its cross begin and end [CSS px]. */
+const kCursor = { ring: 13, from: 5, to: 21 };
 /** On phones, where fingers would bury the crowd. */
 const kPhoneRing = 38;
 /** Width of a phone's screen, at most [CSS px]. */
@@ -159,6 +161,23 @@ export class MarkPainter {
     if (!phone) this.disc(at, radius, withAlpha(colours.accent, 0.13));
     this.circle(at, radius + 1.5, withAlpha(colours.casing, 0.85), 1.5);
     this.circle(at, radius, colours.accent, 2);
+  }
+
+  /** Of the keys: a ring, and a cross that leaves its middle free. */
+  cursor({ x, y }: ScreenPoint, colours: MarkColours): void {
+    const arms = [
+      [1, 0],
+      [-1, 0],
+      [0, 1],
+      [0, -1],
+    ].map(([dx, dy]) => [kCursor.from, kCursor.to].map((r) => ({ x: x + r * dx!, y: y + r * dy! })));
+    for (const [colour, width] of [
+      [colours.casing, 6],
+      [colours.accent, 2.6],
+    ] as const) {
+      for (const arm of arms) this.cased(arm, { accent: colour, casing: colour }, width, width);
+      this.circle({ x, y }, kCursor.ring, colour, width);
+    }
   }
 
   /** A pin that sticks in a handle: it stays where it is. */

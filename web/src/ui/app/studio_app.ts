@@ -33,6 +33,7 @@ import { OrderController } from '../orders/order_controller';
 import { DirectorsController } from '../directors/directors_controller';
 import { AttentionSender } from './attention_sender';
 import { ControlWatch, kKindNames, type ControlNews } from '../../model/control_watch';
+import { LazyCursor } from '../steer/lazy_cursor';
 import { GhostHand } from '../steer/ghost_hand';
 import { openDialogsLazily } from './lazy_dialogs';
 import { ShapeController } from '../formations/shape_controller';
@@ -90,6 +91,7 @@ export class StudioApp {
   private readonly controls_: VirtualControls;
   private readonly chooser_: ToolChooser;
   private readonly keys_: CrowdKeys;
+  private readonly cursor_: LazyCursor;
   private readonly stats_ = wantsStats(window.location.search) ? new StatsReadout() : null;
 
   constructor(
@@ -146,6 +148,17 @@ export class StudioApp {
     this.keys_ = new CrowdKeys(eye, this.controls_, this.chooser_, this.middle, say);
     const shortcuts = this.shortcuts();
     this.directors_ = new DirectorsController(client_, this.store, view_, () => client_.clientId, say);
+    this.cursor_ = new LazyCursor({
+      client: client_,
+      store: this.store,
+      view: view_,
+      canvas: canvas_,
+      camera: this.camera.hand,
+      padding: () => this.shell_.padding(),
+      choose: (contact) => this.steered(contact),
+      frame: () => this.frame,
+      say,
+    });
     this.shell_ = new StudioShell(page, this.store, this.controller_, this.orders, this.directors_, shortcuts);
     this.start(page, shortcuts);
   }
@@ -170,11 +183,12 @@ export class StudioApp {
 
   private shortcuts() {
     const { keys_: keys, controller_: controller, store } = this;
+    const cursor = (): LazyCursor => this.cursor_;
     return studioShortcuts(controller, this.orders, {
-      arrow: (key, long) => keys.arrow(key, long),
+      arrow: (key, long) => (cursor().takesKeys ? cursor().arrow(key, long) : keys.arrow(key, long)),
       zoom: (factor) => keys.zoom(factor),
       turn: (radians) => keys.turn(radians),
-      grabOrDrop: () => keys.grabOrDrop(store.state.active),
+      enter: (shift) => (cursor().takesKeys ? cursor().press(shift) : keys.grabOrDrop(store.state.active)),
       letGo: () => this.letGo(),
       togglePin: () => keys.togglePin(),
       removeControl: () => keys.removeControl(),
@@ -184,6 +198,7 @@ export class StudioApp {
 
   /** Escape drops what is being drawn, then puts the tool away, then ends controls. */
   private letGo(): void {
+    if (this.cursor_.giveUp()) return;
     this.orders_.abort();
     if (this.store.state.tool === 'steer') this.keys_.letGo();
     else this.orders.setTool('steer');

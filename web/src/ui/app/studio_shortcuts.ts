@@ -12,7 +12,7 @@ export interface KeyTools {
   arrow(key: ArrowKey, long: boolean): void;
   zoom(factor: number): void;
   turn(radians: number): void;
-  grabOrDrop(): void;
+  enter(shift: boolean): void;
   letGo(): void;
   togglePin(): void;
   removeControl(): void;
@@ -29,9 +29,15 @@ function crowdKeys(tools: KeyTools): Shortcut[] {
       group: 'Crowd',
       match: ['Enter'],
       sceneOnly: true,
-      run: () => tools.grabOrDrop(),
+      run: ({ shiftKey }) => tools.enter(shiftKey),
     },
     { keys: '← ↑ → ↓', does: 'carry it (Shift: farther)', group: 'Crowd', match: [] },
+    {
+      keys: 'O Enter ← ↑ → ↓ Enter',
+      does: 'with an order tool or X: a cursor begins, draws and ends; Esc gives up',
+      group: 'Orders',
+      match: [],
+    },
     {
       keys: 'P',
       does: 'pins the control under the pointer, or the newest',
