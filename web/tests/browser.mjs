@@ -290,6 +290,7 @@ const kCases = [
   ['first visit', look.firstVisit, [...kTablets, 'phone', 'narrow'], { hint: true, everySize: true }],
   ['layout', look.layout, [...kTablets, 'phone', 'narrow', 'zoomed'], { everySize: true }],
   ['access', look.accessible, [...kTablets, 'phone', 'zoomed'], { everySize: true }],
+  ...look.kAccessCases,
   ['lost and found', session.lostAndFound, ['landscape'], {}],
   ['control schemes by mouse', schemes.byMouse, ['desktop'], { touch: false, room: true }],
   ['control schemes by touch', schemes.byTouch, ['landscape', 'phone'], { room: true }],

@@ -128,12 +128,29 @@ export class MarkPainter {
     for (const dx of [half, -half]) this.cased(stroke(dx), { ...colours, casing: colours.accent }, width, width);
   }
 
-  /** Two bars on a disc: who waits. */
-  pauseBadge(at: ScreenPoint, colours: MarkColours, ink: string): void {
+  /** A raised hand on a disc: who holds. */
+  holdBadge(at: ScreenPoint, colours: MarkColours, ink: string): void {
     this.disc(at, 11.5, colours.casing);
     this.disc(at, 10, colours.accent);
+    const fingers = [-3.6, -1.2, 1.2, 3.6].map((x, i) => [
+      { x, y: [-3, -5.4, -5.6, -4][i]! },
+      { x, y: 2 },
+    ]);
+    for (const parts of [
+      ...fingers,
+      [
+        { x: -6, y: -0.4 },
+        { x: -3, y: 4 },
+      ],
+    ])
+      this.cased(
+        parts.map(({ x, y }) => ({ x: at.x + x, y: at.y + y })),
+        { accent: ink, casing: ink },
+        1.7,
+        1.7,
+      );
     this.pen_.fillStyle = ink;
-    for (const side of [-1, 1]) this.pen_.fillRect(at.x + side * 3 - 1.3, at.y - 4.5, 2.6, 9);
+    this.pen_.fillRect(at.x - 4.4, at.y, 8.8, 5);
   }
 
   /** The head of an arrow where a finger lifted; `angle` on the screen [rad]. */

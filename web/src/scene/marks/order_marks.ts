@@ -183,7 +183,7 @@ export class OrderMarks {
     this.drawNumbers(group, legs, colours, scene);
     drawStations(painter, legs, colours, scene);
     if (group.held && legs.length > 0) {
-      painter.pauseBadge(scene.camera.worldToScreen(group.x, group.y), colours, inkOn(scene.palette, colours.accent));
+      painter.holdBadge(scene.camera.worldToScreen(group.x, group.y), colours, inkOn(scene.palette, colours.accent));
     }
   }
 

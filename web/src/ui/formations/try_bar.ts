@@ -8,7 +8,7 @@ import { icon } from '../widgets/icons';
 export class TryBar {
   private readonly title_ = element('span', { class: 'try-title' });
   private readonly words_ = element('span', { class: 'try-words', role: 'status' });
-  private readonly take_ = element('button', { type: 'button', class: 'solid' }, 'Take up');
+  private readonly take_ = element('button', { type: 'button', class: 'solid' }, 'Use it');
   readonly root: HTMLElement;
 
   constructor(store: StudioStore, shapes: Pick<ShapeActions, 'endTry'>) {

@@ -6,9 +6,9 @@ import { element, setText } from '../widgets/dom';
 
 /** The buttons at the end of a dialog: a look on the ground, and taking it up at once. */
 export function lookOrTake(look: () => void): HTMLElement {
-  const button = element('button', { type: 'button', class: 'soft' }, 'Look on the ground');
+  const button = element('button', { type: 'button', class: 'soft' }, 'Try on the ground');
   button.addEventListener('click', look);
-  const take = element('button', { type: 'submit', class: 'solid' }, 'Take up');
+  const take = element('button', { type: 'submit', class: 'solid' }, 'Use it');
   return element('div', { class: 'shape-ends' }, button, take);
 }
 
