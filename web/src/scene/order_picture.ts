@@ -24,6 +24,7 @@ export class OrderPicture {
   private picked_ = 0;
   private cut_: DrawnCut | null = null;
   private scheme_: SchemeView | null = null;
+  private cursor_: GroundPoint | null = null;
   private groups_: readonly GroupView[] = [];
   private colours_: readonly number[] = [];
   private builds_: readonly (BodyBuildWord | null)[] = [];
@@ -97,6 +98,16 @@ export class OrderPicture {
     this.changed_();
   }
 
+  /** The cursor of the keys; null while it is away. */
+  get cursor(): GroundPoint | null {
+    return this.cursor_;
+  }
+
+  set cursor(at: GroundPoint | null) {
+    this.cursor_ = at;
+    this.changed_();
+  }
+
   /** What a control scheme shows; null for nothing. */
   setScheme(scheme: SchemeView | null): void {
     this.scheme_ = scheme;
@@ -131,6 +142,7 @@ export class OrderPicture {
       returns: this.returns_,
       picked: this.picked_,
       cut: this.cut_,
+      cursor: this.cursor_,
       scheme: this.scheme_ && schemePicture(this.scheme_, this.crowd_),
     };
   }

@@ -56,8 +56,6 @@ export interface StudioScene {
   setPadding(padding: Padding): void;
   /** A ring under a finger in the very next picture; null lets it fade. A group of -1 means the camera. */
   touchMark(id: number, world: GroundPoint | null, groupIndex: number): void;
-  /** The cursor of the keys; null takes it away. */
-  showCursor(at: GroundPoint | null): void;
   /** What fingers have drawn and no frame shows yet. */
   showDrafts(drafts: readonly DraftControl[]): void;
   /** Our number at the server: whose fingers these are. */

@@ -101,11 +101,6 @@ export class StudioView implements StudioScene {
     return this.stage_.environment.solid;
   }
 
-  /** The cursor of the keys: for tests. */
-  get cursor(): GroundPoint | null {
-    return this.marks_.cursor;
-  }
-
   /** The scale of the overlay on show, for its legend; null without one. */
   get fieldScale(): FieldScale | null {
     return this.overlay_.scale;
@@ -222,11 +217,6 @@ export class StudioView implements StudioScene {
     this.ringsStale_ ||= !world || this.marks_.rings.get(id)?.lifted !== 0;
     this.marks_.touch(id, world, groupIndex, now);
     if (groupIndex >= 0 && world) this.reservedUntil_ = now + kEchoWait;
-    this.wake();
-  }
-
-  showCursor(at: GroundPoint | null): void {
-    this.marks_.cursor = at;
     this.wake();
   }
 

@@ -29,8 +29,8 @@ beforeEach(() => {
     view: {
       screenToWorld: ({ x, y }) => ({ x: (x + panned[0]) / 100, y: (y + panned[1]) / 100 }),
       worldToScreen: (at) => ({ x: onScreen(at).x - panned[0], y: onScreen(at).y - panned[1] }),
-      showCursor: (at) => (shown = at),
     },
+    show: (at) => (shown = at),
     camera: { panBy: (x, y) => (panned = [panned[0] - x, panned[1] - y]) },
     room: () => ({ from: { x: 0, y: 0 }, to: { x: 400, y: 200 } }),
     choose: owner,

@@ -11,9 +11,10 @@ export interface CursorHost {
   readonly view: {
     screenToWorld(at: ScreenPoint): GroundPoint | null;
     worldToScreen(at: GroundPoint): ScreenPoint;
-    showCursor(at: GroundPoint | null): void;
   };
   readonly camera: Pick<HandMoves, 'panBy'>;
+  /** Null while it is away. */
+  show(at: GroundPoint | null): void;
   /** What panels leave free of the picture [CSS px]. */
   room(): { readonly from: ScreenPoint; readonly to: ScreenPoint };
   choose(contact: Contact): ContactOwner;
@@ -57,7 +58,7 @@ export class GroundCursor {
   hide(): void {
     this.giveUp();
     this.shown_ = false;
-    this.host_.view.showCursor(null);
+    this.host_.show(null);
   }
 
   arrow(key: ArrowKey, long: boolean): void {
@@ -108,7 +109,7 @@ export class GroundCursor {
 
   private moved(): void {
     if (!this.at_) return;
-    this.host_.view.showCursor(this.at_);
+    this.host_.show(this.at_);
     this.host_.say(this.host_.words(this.at_));
     this.tellForecast();
   }

@@ -3,7 +3,7 @@ import { expect } from '../support/expect.mjs';
 import { distance, extreme, mean, points, shifted } from '../support/geometry.mjs';
 
 const vertices = (frame, index = 0) => points(frame.groups[index].vertices);
-const cursorOf = (studio) => studio.page.evaluate(() => globalThis.__muster.view.cursor);
+const cursorOf = (studio) => studio.page.evaluate(() => globalThis.__muster.view.orders.cursor);
 const ordersOf = async (studio, index = 0) => (await studio.frame()).groups[index].orders;
 
 /** Presses arrows until the cursor is as near to a spot as its steps allow. */
@@ -35,7 +35,7 @@ const said = (studio, words) =>
 
 async function take(studio, key) {
   await studio.page.keyboard.press(key);
-  await studio.until('the cursor', () => globalThis.__muster.view.cursor !== null);
+  await studio.until('the cursor', () => globalThis.__muster.view.orders.cursor !== null);
 }
 
 /** From one Enter to the next: a front, whose forecast is shown and spoken. */

@@ -53,10 +53,7 @@ export async function overlays(studio) {
   await untilPainted(studio);
   await studio.shot('overlay-cost');
   const words = await legend(studio).textContent();
-  expect(
-    /Person \d+/.test(words) && /Way to walk\s*\d+\.\d m/.test(words),
-    `the legend gives the figures: ${words}`,
-  );
+  expect(/Person \d+/.test(words) && /Way to walk\s*\d+\.\d m/.test(words), `the legend gives the figures: ${words}`);
   const { chosen, cost } = await studio.page.evaluate(() => globalThis.__muster.state);
   expect(
     cost.way >= cost.straight - 0.3,

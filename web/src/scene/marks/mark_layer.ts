@@ -97,7 +97,7 @@ export class MarkLayer {
       for (const dx of [-kNameRoom, kNameRoom]) extent.add({ x: at.x + dx, y: at.y + kNameBelow });
       extent.add(at);
     }
-    if (marks.cursor) add(marks.cursor.x, marks.cursor.y);
+    if (scene.cursor) add(scene.cursor.x, scene.cursor.y);
     for (const { points, handles } of scene.drafts) for (const point of [...points, ...handles]) add(point.x, point.y);
     addAll(scene.overlay?.path ?? []);
     this.orders_.extend(extent, scene);
@@ -250,7 +250,7 @@ export class MarkLayer {
   }
 
   /** In its director's colour. */
-  private drawCursor({ cursor, directors, client }: MarkState, { camera, palette }: MarkScene): void {
+  private drawCursor({ directors, client }: MarkState, { cursor, camera, palette }: MarkScene): void {
     const accent = directors.get(client)?.colour ?? palette.ink;
     if (cursor) this.painter_.cursor(camera.worldToScreen(cursor.x, cursor.y), { accent, casing: '#ffffff' });
   }

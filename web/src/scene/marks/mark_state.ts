@@ -37,8 +37,6 @@ export class MarkState {
   directors: ReadonlyMap<number, Pick<DirectorInfo, 'name' | 'colour'>> = new Map();
   /** Our number at the server. Our own rings are drawn before the server receives them. */
   client = 0;
-  /** Of the keys; null while it is away. */
-  cursor: GroundPoint | null = null;
   private shown_ = new Map<string, ShownControl>();
   private reduced_ = false;
 

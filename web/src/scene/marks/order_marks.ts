@@ -73,6 +73,8 @@ export interface OrderScene {
   /** The order that is chosen in the list of the queue; 0 for none. */
   readonly picked: number;
   readonly cut: DrawnCut | null;
+  /** Of the keys. */
+  readonly cursor: GroundPoint | null;
   readonly scheme: SchemePicture | null;
 }
 

@@ -41,12 +41,14 @@ export function roomWithin(
 }
 
 export class LazyCursor {
+  private parts_: CursorParts | null = null;
   private scene_: Scene | null = null;
   private loading_: Promise<GroundCursor> | null = null;
   private cursor_: GroundCursor | null = null;
 
-  constructor(private readonly parts_: CursorParts) {
-    const { client, store, canvas } = parts_;
+  serve(parts: CursorParts): void {
+    const { client, store, canvas } = parts;
+    this.parts_ = parts;
     client.on('scene', (scene) => (this.scene_ = scene));
     canvas.addEventListener('focus', () => this.showOrHide());
     canvas.addEventListener('pointerdown', () => this.cursor_?.hide(), { capture: true });
@@ -55,7 +57,7 @@ export class LazyCursor {
 
   /** True where arrows and Enter are the cursor's. */
   get takesKeys(): boolean {
-    return this.parts_.store.state.tool !== 'steer';
+    return this.parts_?.store.state.tool !== 'steer';
   }
 
   arrow(key: ArrowKey, long: boolean): void {
@@ -73,37 +75,36 @@ export class LazyCursor {
   /** Who works with keys sees it as soon as the tool is in hand. */
   private showOrHide(): void {
     if (!this.takesKeys) return this.cursor_?.hide();
-    if (this.parts_.canvas.matches(':focus-visible')) void this.loaded().then((cursor) => cursor.show());
+    if (this.parts_?.canvas.matches(':focus-visible')) void this.loaded().then((cursor) => cursor.show());
   }
 
   private loaded(): Promise<GroundCursor> {
-    return (this.loading_ ??= this.load());
+    return (this.loading_ ??= this.load(this.parts_!));
   }
 
-  private async load(): Promise<GroundCursor> {
-    const [{ GroundCursor }, { spotWords }] = await Promise.all([
+  private async load(parts: CursorParts): Promise<GroundCursor> {
+    const [module, { spotWords }] = await Promise.all([
       import('../../tools/ground_cursor'),
       import('../../model/spot_words'),
     ]);
-    const { parts_: parts } = this;
     const { view, camera, store, canvas } = parts;
-    this.cursor_ = new GroundCursor({
+    this.cursor_ = new module.GroundCursor({
       view,
       camera,
+      show: (at) => (view.orders.cursor = at),
       room: () => roomWithin(canvas, parts.padding()),
       choose: (contact) => parts.choose(contact),
       picks: () => kPicks.includes(store.state.tool),
       words: (at) => {
-        const groups = (parts.frame()?.groups ?? []).map((group) => ({ ...group, name: this.nameOf(group.id) }));
+        const groups = (parts.frame()?.groups ?? []).map((group) => ({
+          ...group,
+          name: store.state.groups.find(({ id }) => id === group.id)?.name ?? 'the group',
+        }));
         return this.scene_ ? spotWords(at, this.scene_, groups) : '';
       },
       forecast: () => view.orders.words,
       say: (text) => parts.say(text),
     });
     return this.cursor_;
-  }
-
-  private nameOf(id: number): string {
-    return this.parts_.store.state.groups.find((group) => group.id === id)?.name ?? 'the group';
   }
 }
