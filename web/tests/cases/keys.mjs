@@ -134,3 +134,38 @@ export async function ordersAndCuts(studio) {
   await cut(studio);
   await farAway(studio);
 }
+
+/** On a phone the active group's chip and its formation are scrolled into sight. */
+export async function activeInSight(studio) {
+  const inSight = (what) =>
+    studio.eventually(async () => {
+      const [box, room] = await studio.page.evaluate((selector) => {
+        const one = document.querySelector(selector);
+        let room = one.parentElement;
+        while (room.scrollWidth <= room.clientWidth && room.scrollHeight <= room.clientHeight)
+          room = room.parentElement;
+        return [one, room === document.documentElement ? one.closest('.panel') : room].map((node) =>
+          node.getBoundingClientRect().toJSON(),
+        );
+      }, what);
+      const inside = box.left >= room.left - 1 && box.right <= room.right + 1 && box.right <= innerWidthOf(studio);
+      expect(inside, `${what} from ${box.left} to ${box.right} lies in ${room.left} to ${room.right}`);
+    }, 4000);
+  await studio.page.evaluate(() => document.querySelector('#scene').focus());
+  await studio.page.keyboard.press('g');
+  await inSight('.chip[aria-pressed="true"]');
+  await studio.tab('formation');
+  for (const key of ['8', '3', '1']) {
+    await studio.page.evaluate(() => document.querySelector('#scene').focus());
+    await studio.page.keyboard.press(key);
+    await studio.until(
+      'the formation',
+      (number) => document.querySelector(`.formation[data-key="${number}"]`).getAttribute('aria-pressed') === 'true',
+      key,
+    );
+    await inSight('.formation[aria-pressed="true"]');
+  }
+  await studio.shot('phone-in-sight');
+}
+
+const innerWidthOf = (studio) => studio.page.viewportSize().width;
