@@ -118,7 +118,7 @@ export async function ownShape(studio, server) {
   await studio.eventually(async () =>
     expect((await dialog.locator('.shape-saved li').count()) === 1, 'the formation is saved'),
   );
-  await dialog.locator('button', { hasText: 'Take up' }).click();
+  await dialog.locator('button', { hasText: 'Use it' }).click();
   await studio.until('the picture as formation', () => globalThis.__muster.state.groups[0].formation === 'points');
   await studio.wait(600);
   const plain = await quarters(page);
@@ -128,7 +128,7 @@ export async function ownShape(studio, server) {
   );
   await open();
   await dialog.locator('button', { hasText: 'Mirror' }).click();
-  await dialog.locator('button', { hasText: 'Take up' }).click();
+  await dialog.locator('button', { hasText: 'Use it' }).click();
   await studio.eventually(async () => {
     const turned = await quarters(page);
     expect(turned.right > 0.2 && turned.left < 0.05, `mirrored: ${JSON.stringify(turned)}`);
@@ -139,7 +139,7 @@ export async function ownShape(studio, server) {
   await studio.until('the page again', () => (globalThis.__muster?.frame?.groups.length ?? 0) > 0);
   await open();
   await dialog.locator('.shape-saved-take', { hasText: 'letter-l' }).click();
-  await dialog.locator('button', { hasText: 'Take up' }).click();
+  await dialog.locator('button', { hasText: 'Use it' }).click();
   await studio.eventually(async () => {
     const again = await quarters(page);
     expect(again.left > 0.2 && again.right < 0.05, `as it was saved: ${JSON.stringify(again)}`);

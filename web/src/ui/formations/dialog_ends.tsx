@@ -77,10 +77,10 @@ export function Ends({ state, shapes, shape, title, dialog }: EndsProps): VNode 
           disabled={!shape}
           onClick={() => shape && shapes.tryOut({ title, dialog, shape })}
         >
-          Look on the ground
+          Try on the ground
         </button>
         <button type="submit" class="solid" disabled={!shape}>
-          Take up
+          Use it
         </button>
       </div>
     </>

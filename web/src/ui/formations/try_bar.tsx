@@ -22,7 +22,7 @@ export class TryBar {
           Change…
         </button>
         <button type="button" class="solid" onClick={() => shapes.endTry('take')}>
-          Take up
+          Use it
         </button>
         <button type="button" class="try-drop" aria-label="Drop it" onClick={() => shapes.endTry('drop')}>
           <Icon name="close" />
