@@ -43,7 +43,7 @@ Json standingsJson(const RunOutcome& outcome) {
     for (const RunOutcome::GroupStandings& group : outcome.standings) {
         Json one = {{"group", group.name}};
         for (std::size_t k = 0; k < group.counts.size(); ++k) one[kStandingWords[k]] = group.counts[k];
-        groups.push_back(one);
+        groups.push(one);
     }
     return groups;
 }

@@ -128,7 +128,7 @@ void defineReadOuts(py::class_<WorldHandle>& world) {
         "included, shape (n, 2)\n"
         "[m], a copy. Empty for the unmatched and where there is none. Fails with NotFoundError.");
     world.def_property_readonly(
-        "standings", [](WorldHandle& self) { return listOf(self.get().standings()); },
+        "standings", [](WorldHandle& self) { return toPython(self.get().standings()); },
         "Of each character its Standing: whether it stands in its place, and if not, what keeps it from there.");
     world.def(
         "forecast", &forecast, py::arg("group"), py::arg("order"),

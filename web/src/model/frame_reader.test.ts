@@ -21,7 +21,7 @@ function frame(group: number[], groups: number[] = [4, 9]): StudioFrame {
     group: Uint16Array.from(group),
     unitClass: Uint8Array.from(group, (_, i) => (i === 0 ? 2 : 0)),
     x: new Float32Array(3),
-    groups: groups.map((id) => ({ id, controls: [], ...kIdle, walkSum: 3, walkSquares: 5, walkLongest: 2 })),
+    groups: groups.map((id) => ({ id, controls: [], standings: [2], ...kIdle, walkSum: 3, walkSquares: 5, walkLongest: 2 })),
     playing: true,
     speed: 2,
     recordedSeconds: 1.5,

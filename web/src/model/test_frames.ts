@@ -103,6 +103,7 @@ interface QuietOrders {
   readonly picked: number;
   readonly cut: null;
   readonly scheme: null;
+  readonly barred: readonly never[];
 }
 
 /** The same where nobody has done anything yet. */
@@ -120,6 +121,7 @@ export function quietOrders(): QuietOrders {
     picked: 0,
     cut: null,
     scheme: null,
+    barred: [],
   };
 }
 

@@ -5,6 +5,7 @@ import type { StudioClient } from '../../link/studio_client';
 import {
   OverlayKind,
   ControlKind,
+  NoticeLevel,
   type GroupMesh,
   type Notice,
   type Overlay,
@@ -37,6 +38,7 @@ import { GhostHand } from '../steer/ghost_hand';
 import { openDialogsLazily } from './lazy_dialogs';
 import { ShapeController } from '../formations/shape_controller';
 import { CameraController } from '../steer/camera_controller';
+import { ArrivalWatch, type Arrival } from '../../model/arrival_watch';
 import { DemonstrationWatch } from '../../model/demonstration_watch';
 import { returnFocus } from '../widgets/focus_return';
 import { FormationWatch } from '../../model/formation_watch';
@@ -47,6 +49,7 @@ import { FileController } from './file_controller';
 import { OwnPeople } from '../steer/own_people';
 import { OwnPeopleCopy } from '../steer/own_people_copy';
 import { SchemeController } from '../steer/scheme_controller';
+import { StandingController } from '../steer/standing_controller';
 import { StudioShell } from './studio_shell';
 import { studioShortcuts } from './studio_shortcuts';
 import { StatsReadout, wantsStats } from './stats_readout';
@@ -57,6 +60,8 @@ import type { Padding } from '../../scene/camera/camera_controls';
 import { fieldScale } from '../../model/field_scale';
 import { StudioStore } from '../../model/studio_store';
 
+/** An arrival after a longer way is told of where it is out of sight [s]. */
+const kLongWay = 10;
 const kTried: Record<ControlKind, HintStep> = {
   [ControlKind.Point]: 'point',
   [ControlKind.Line]: 'line',
@@ -73,6 +78,7 @@ export class StudioApp {
   private readonly reader_ = new FrameReader();
   private readonly watch_ = new ControlWatch();
   private readonly formations_ = new FormationWatch();
+  private readonly arrivals_ = new ArrivalWatch();
   private readonly demonstrations_ = new DemonstrationWatch();
   readonly camera: CameraController;
   readonly shapes: ShapeController;
@@ -80,6 +86,7 @@ export class StudioApp {
   private readonly attention_: AttentionSender;
   private readonly drafts_: Drafts;
   private readonly hitTest_ = new FormationHitTest();
+  private readonly standing_: StandingController;
   private readonly controller_: StudioController;
   private readonly shell_: StudioShell;
   readonly orders: OrderController;
@@ -117,7 +124,23 @@ export class StudioApp {
       view: view_,
       say,
     });
-    this.controller_ = new StudioController(client_, this.store, this.camera, say, people, this.shapes);
+    this.standing_ = new StandingController({
+      client: client_,
+      store: this.store,
+      mark: (people) => view_.orders.setBarred(people),
+      frame: (points) => this.camera.frame(points),
+      lookAt: (point) => this.camera.lookAt(point),
+      say,
+    });
+    this.controller_ = new StudioController(
+      client_,
+      this.store,
+      this.camera,
+      say,
+      people,
+      this.shapes,
+      this.standing_,
+    );
     this.files = new FileController(this.store, this.controller_, this.shapes);
     this.attention_ = new AttentionSender(client_);
     this.drafts_ = new Drafts(
@@ -264,6 +287,7 @@ export class StudioApp {
     client.on('frame', ({ frame, receivedAt }) => this.showFrame(frame, receivedAt));
     client.on('overlay', (overlay) => this.showOverlay(overlay));
     client.on('forecasts', (answers) => this.orders.queues.answered(answers, performance.now()));
+    client.on('standings', (answer) => this.standing_.answered(answer));
     client.on('directors', ({ directors }) => this.directors_.took(directors));
     client.on('notice', (notice) => this.noticed(notice));
     this.stats_?.follow(client);
@@ -317,6 +341,7 @@ export class StudioApp {
   private forgetWorld(): void {
     this.forgetTouches();
     this.formations_.clear();
+    this.arrivals_.clear();
     this.orders.forgetWorld();
     this.camera.forgetWorld();
     this.store.set({ active: 0, notice: null });
@@ -344,7 +369,7 @@ export class StudioApp {
     this.shapes.observe(frame);
     this.latency.echoed(frame.touchEcho, frame.frame, pageClock(receivedAt));
     this.timePicture();
-    this.store.set(this.reader_.change(frame, this.store.state));
+    this.store.set(this.reader_.change(frame, this.store.state, receivedAt));
     this.orders.observe(frame);
     this.directors_.observe(frame.groups);
     this.drafts_.observe(frame);
@@ -352,8 +377,19 @@ export class StudioApp {
     for (const { name, formation } of this.formations_.observe(this.store.state.groups, frame.step)) {
       this.shell_.live.say(`${name}: ${formation}`);
     }
+    for (const arrival of this.arrivals_.observe(frame)) this.tellArrival(arrival);
     const news = this.demonstrations_.observe(frame.demonstrating);
     if (news) this.shell_.live.say(news);
+  }
+
+  /** A crowd that nobody watched come is told of on the screen; others are seen. */
+  private tellArrival({ id, index, seconds, x, y }: Arrival): void {
+    const { groups, arrows } = this.store.state;
+    const text = `${groups[index]?.name ?? 'The group'}: everybody is in place`;
+    this.shell_.live.say(text);
+    if (seconds < kLongWay || !arrows.some((arrow) => arrow.id === id)) return;
+    const notice = { type: 'Notice', level: NoticeLevel.Info, code: 'arrived', text: `${text}.`, hasPlace: true, x, y } as const;
+    this.store.set({ notice });
   }
 
   private announce(news: ControlNews): void {

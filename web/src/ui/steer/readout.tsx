@@ -59,6 +59,7 @@ function Words({ state, actions }: Props): VNode {
       <span class="plain-words">
         <strong class="plain-people">{words.people}</strong>
         <span class="plain-does">{words.does}</span>
+        <span class="plain-barred">{words.barred}</span>
         <span class="plain-items">{words.items}</span>
         <span class="plain-slow">{words.slow}</span>
       </span>
@@ -114,6 +115,16 @@ export class Readout {
       return (
         <>
           <Words state={state} actions={actions} />
+          {plainWords(state).barred !== '' && (
+            <button
+              type="button"
+              class="soft plain-show"
+              data-tip="Shows who cannot be in their places"
+              onClick={() => actions.showBarred()}
+            >
+              Show
+            </button>
+          )}
           {state.figures && (
             <div class="figures">
               <Figure name="characters" label="Characters" value={formatCount(state.characters)} unit="characters" />
