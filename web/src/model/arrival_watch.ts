@@ -6,7 +6,12 @@ import type { Standings } from './standing';
 interface WatchedFrame {
   readonly time: number;
   readonly events: readonly EventFrame[];
-  readonly groups: readonly { readonly id: number; readonly standings: Standings; readonly x: number; readonly y: number }[];
+  readonly groups: readonly {
+    readonly id: number;
+    readonly standings: Standings;
+    readonly x: number;
+    readonly y: number;
+  }[];
 }
 
 export interface Arrival {

@@ -5,7 +5,6 @@ import type { StudioClient } from '../../link/studio_client';
 import {
   OverlayKind,
   ControlKind,
-  NoticeLevel,
   type GroupMesh,
   type Notice,
   type Overlay,
@@ -33,12 +32,11 @@ import { judged } from '../orders/judged_orders';
 import { OrderController } from '../orders/order_controller';
 import { DirectorsController } from '../directors/directors_controller';
 import { AttentionSender } from './attention_sender';
-import { ControlWatch, kKindNames, type ControlNews } from '../../model/control_watch';
+import { ControlWatch, kKindNames, kTriedBy, type ControlNews } from '../../model/control_watch';
 import { GhostHand } from '../steer/ghost_hand';
 import { openDialogsLazily } from './lazy_dialogs';
 import { ShapeController } from '../formations/shape_controller';
 import { CameraController } from '../steer/camera_controller';
-import { ArrivalWatch, type Arrival } from '../../model/arrival_watch';
 import { DemonstrationWatch } from '../../model/demonstration_watch';
 import { returnFocus } from '../widgets/focus_return';
 import { FormationWatch } from '../../model/formation_watch';
@@ -53,20 +51,12 @@ import { StandingController } from '../steer/standing_controller';
 import { StudioShell } from './studio_shell';
 import { studioShortcuts } from './studio_shortcuts';
 import { StatsReadout, wantsStats } from './stats_readout';
-import { isLost, type HintStep } from '../../model/studio_state';
+import { isLost } from '../../model/studio_state';
 import type { GroundPoint, ScreenPoint } from '../../model/plane';
 import { pageClock } from '../../model/page_clock';
 import type { Padding } from '../../scene/camera/camera_controls';
 import { fieldScale } from '../../model/field_scale';
 import { StudioStore } from '../../model/studio_store';
-
-/** An arrival after a longer way is told of where it is out of sight [s]. */
-const kLongWay = 10;
-const kTried: Record<ControlKind, HintStep> = {
-  [ControlKind.Point]: 'point',
-  [ControlKind.Line]: 'line',
-  [ControlKind.Area]: 'area',
-};
 
 export class StudioApp {
   readonly latency = new LatencyMeter();
@@ -78,7 +68,6 @@ export class StudioApp {
   private readonly reader_ = new FrameReader();
   private readonly watch_ = new ControlWatch();
   private readonly formations_ = new FormationWatch();
-  private readonly arrivals_ = new ArrivalWatch();
   private readonly demonstrations_ = new DemonstrationWatch();
   readonly camera: CameraController;
   readonly shapes: ShapeController;
@@ -124,23 +113,8 @@ export class StudioApp {
       view: view_,
       say,
     });
-    this.standing_ = new StandingController({
-      client: client_,
-      store: this.store,
-      mark: (people) => view_.orders.setBarred(people),
-      frame: (points) => this.camera.frame(points),
-      lookAt: (point) => this.camera.lookAt(point),
-      say,
-    });
-    this.controller_ = new StudioController(
-      client_,
-      this.store,
-      this.camera,
-      say,
-      people,
-      this.shapes,
-      this.standing_,
-    );
+    this.standing_ = new StandingController(client_, this.store, view_, this.camera, say);
+    this.controller_ = new StudioController(client_, this.store, this.camera, say, people, this.shapes, this.standing_);
     this.files = new FileController(this.store, this.controller_, this.shapes);
     this.attention_ = new AttentionSender(client_);
     this.drafts_ = new Drafts(
@@ -165,8 +139,8 @@ export class StudioApp {
       orders: this.orders_,
       shapes: (contact) => this.shapes.owner(contact),
     });
-    const eye = { camera: this.camera.hand, screenToWorld: toGround };
-    this.keys_ = new CrowdKeys(eye, this.controls_, this.chooser_, this.middle, say);
+    const hand = { camera: this.camera.hand, screenToWorld: toGround };
+    this.keys_ = new CrowdKeys(hand, this.controls_, this.chooser_, this.middle, say);
     const shortcuts = this.shortcuts();
     this.directors_ = new DirectorsController(client_, this.store, view_, () => client_.clientId, say);
     this.shell_ = new StudioShell(page, this.store, this.controller_, this.orders, this.directors_, shortcuts);
@@ -287,7 +261,6 @@ export class StudioApp {
     client.on('frame', ({ frame, receivedAt }) => this.showFrame(frame, receivedAt));
     client.on('overlay', (overlay) => this.showOverlay(overlay));
     client.on('forecasts', (answers) => this.orders.queues.answered(answers, performance.now()));
-    client.on('standings', (answer) => this.standing_.answered(answer));
     client.on('directors', ({ directors }) => this.directors_.took(directors));
     client.on('notice', (notice) => this.noticed(notice));
     this.stats_?.follow(client);
@@ -341,7 +314,7 @@ export class StudioApp {
   private forgetWorld(): void {
     this.forgetTouches();
     this.formations_.clear();
-    this.arrivals_.clear();
+    this.standing_.forgetWorld();
     this.orders.forgetWorld();
     this.camera.forgetWorld();
     this.store.set({ active: 0, notice: null });
@@ -377,24 +350,14 @@ export class StudioApp {
     for (const { name, formation } of this.formations_.observe(this.store.state.groups, frame.step)) {
       this.shell_.live.say(`${name}: ${formation}`);
     }
-    for (const arrival of this.arrivals_.observe(frame)) this.tellArrival(arrival);
+    this.standing_.observe(frame);
     const news = this.demonstrations_.observe(frame.demonstrating);
     if (news) this.shell_.live.say(news);
   }
 
-  /** A crowd that nobody watched come is told of on the screen; others are seen. */
-  private tellArrival({ id, index, seconds, x, y }: Arrival): void {
-    const { groups, arrows } = this.store.state;
-    const text = `${groups[index]?.name ?? 'The group'}: everybody is in place`;
-    this.shell_.live.say(text);
-    if (seconds < kLongWay || !arrows.some((arrow) => arrow.id === id)) return;
-    const notice = { type: 'Notice', level: NoticeLevel.Info, code: 'arrived', text: `${text}.`, hasPlace: true, x, y } as const;
-    this.store.set({ notice });
-  }
-
   private announce(news: ControlNews): void {
     if (news.client !== this.client_.clientId) return;
-    this.controller_.tried(kTried[news.kind]);
+    this.controller_.tried(kTriedBy[news.kind]);
     const group = this.store.state.groups[news.index];
     const kind = kKindNames[news.kind];
     this.shell_.live.say(`${kind} on ${group?.name ?? 'the formation'}`);

@@ -110,7 +110,11 @@ export class CameraController {
   /** Shows these points. */
   frame(points: readonly GroundPoint[]): void {
     this.follow_.release();
-    const outline = crowdOutline(points.flatMap(({ x, y }) => [x, y]), [], kSpan);
+    const outline = crowdOutline(
+      points.flatMap(({ x, y }) => [x, y]),
+      [],
+      kSpan,
+    );
     this.host_.view.camera.glideFit(outline, this.host_.padding(), performance.now(), this.glide());
   }
 
