@@ -32,7 +32,7 @@ export class StandingController {
   private readonly arrivals_ = new ArrivalWatch();
   private number_ = 0;
   private otherwise_: GroundPoint | null = null;
-  private timer_ = 0;
+  private timer_: ReturnType<typeof setTimeout> | undefined;
 
   constructor(
     private readonly client_: StandingLink,
@@ -43,7 +43,7 @@ export class StandingController {
   ) {
     client_.on('standings', (answer) => this.answered(answer));
     store_.watch(['standings'], ({ standings }) => {
-      if (this.timer_ !== 0 && standingSum(standings).barred === '') this.hide();
+      if (this.timer_ !== undefined && standingSum(standings).barred === '') this.hide();
     });
   }
 
@@ -80,13 +80,13 @@ export class StandingController {
     this.scene_.orders.setBarred(barred);
     this.camera_.frame(barred.map(({ place }) => place));
     this.say_(standingSum(this.store_.state.standings).barred);
-    window.clearTimeout(this.timer_);
-    this.timer_ = window.setTimeout(() => this.hide(), kShown);
+    clearTimeout(this.timer_);
+    this.timer_ = setTimeout(() => this.hide(), kShown);
   }
 
   private hide(): void {
-    window.clearTimeout(this.timer_);
-    this.timer_ = 0;
+    clearTimeout(this.timer_);
+    this.timer_ = undefined;
     this.scene_.orders.setBarred([]);
   }
 }
