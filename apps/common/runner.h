@@ -33,8 +33,8 @@ struct RunOutcome {
         StandingCounts counts{};
     };
 
-    RunFigures figures;   ///< Its results.
-    bool cutOff = false;  ///< It ended after `longest`, with something left to do.
+    RunFigures figures;                     ///< Its results.
+    bool cutOff = false;                    ///< It ended after `longest`, with something left to do.
     std::vector<GroupStandings> standings;  ///< Of each group.
 };
 

@@ -9,22 +9,30 @@
 namespace muster {
 namespace {
 
-/// What is said of those whom one cause bars: of all who are barred, and of some of them.
+/// What is said of those whom one cause bars: where it bars all who are barred, and only some of them; each
+/// of several and of one.
 struct BarWords {
     Standing standing;
-    const char* all;
-    const char* one;
-    const char* some;
+    const char* all[2];
+    const char* some[2];
 };
 constexpr BarWords kBars[] = {
-    {Standing::Outside, "their places lie outside the ground", "its place lies outside the ground",
-     "outside the ground"},
-    {Standing::Obstacle, "their places lie in obstacles", "its place lies in an obstacle", "in obstacles"},
-    {Standing::Narrow, "their places are too narrow", "its place is too narrow", "where it is too narrow"},
-    {Standing::NoWay, "no way leads to their places", "no way leads to its place", "where no way leads"},
-    {Standing::Crowded, "others stand in the room there", "others stand in the room there",
-     "where others stand"},
-    {Standing::Stuck, "they do not get on", "it does not get on", "where they do not get to"},
+    {Standing::Outside,
+     {"their places lie outside the ground", "its place lies outside the ground"},
+     {"have their places outside the ground", "has its place outside the ground"}},
+    {Standing::Obstacle,
+     {"their places lie in obstacles", "its place lies in an obstacle"},
+     {"have their places in obstacles", "has its place in an obstacle"}},
+    {Standing::Narrow,
+     {"their places are too narrow", "its place is too narrow"},
+     {"have places that are too narrow", "has a place that is too narrow"}},
+    {Standing::NoWay,
+     {"no way leads to their places", "no way leads to its place"},
+     {"have no way to their places", "has no way to its place"}},
+    {Standing::Crowded,
+     {"others stand in the room there", "others stand in the room there"},
+     {"make room for others", "makes room for others"}},
+    {Standing::Stuck, {"they do not get on", "it does not get on"}, {"do not get on", "does not get on"}},
 };
 
 std::uint32_t numberOf(const StandingCounts& counts, Standing standing) {
@@ -42,10 +50,11 @@ std::string whyBarred(const StandingCounts& counts) {
     for (const BarWords& bar : kBars) {
         const std::uint32_t number = numberOf(counts, bar.standing);
         if (number == 0) continue;
-        if (number == barred) return number == 1 ? bar.one : bar.all;
-        list += (list.empty() ? "" : ", ") + std::to_string(number) + " " + bar.some;
+        const std::size_t one = number == 1 ? 1 : 0;
+        if (number == barred) return bar.all[one];
+        list += (list.empty() ? "" : ", ") + std::to_string(number) + " " + bar.some[one];
     }
-    return "their places lie " + list;
+    return list;
 }
 
 }  // namespace

@@ -28,7 +28,8 @@ std::vector<Standing> barsOf(const World& world, GroupId group, std::span<const 
         const Vec2 p = places[k];
         const std::int32_t label = routes.region(p);
         const float clear = clearance[static_cast<std::size_t>(grid.index(grid.nearestCell(p)))];
-        if (!environment.def().box.contains(p) || label < 0 || clear < least || (region >= 0 && label != region))
+        if (!environment.def().box.contains(p) || label < 0 || clear < least ||
+            (region >= 0 && label != region))
             bars[k] = barOf(engine.state, *found, region, p);
         if (bars[k] == Standing::Crowded) bars[k] = Standing::Narrow;
     }

@@ -85,7 +85,9 @@ TEST_CASE("Places in obstacles, outside, and beyond a wall are told apart") {
     client.poll();
     REQUIRE(client.places.size() == 1);
     REQUIRE(client.places[0].answers.size() == 2);
-    const auto bar = [&](std::size_t k) { return static_cast<Standing>(client.places[0].answers[0].unfit[k]); };
+    const auto bar = [&](std::size_t k) {
+        return static_cast<Standing>(client.places[0].answers[0].unfit[k]);
+    };
     CHECK(bar(0) == Standing::InPlace);
     CHECK(bar(1) == Standing::Obstacle);
     CHECK(bar(2) == Standing::NoWay);

@@ -37,7 +37,8 @@ function doing({ lag, playing, replaying, units, standings }: PlainState): strin
     if (ordered && far === '') return 'walking as ordered';
     return walk === all ? `on the way${far}` : `${formatCount(walk)} on the way${far}`;
   }
-  return held === all ? 'waiting' : `${formatCount(there)} in their places`;
+  if (held === all) return 'waiting';
+  return there === 0 ? 'nobody in place' : `${formatCount(there)} in their places`;
 }
 
 function slowness({ pace, speed }: PlainState): string {

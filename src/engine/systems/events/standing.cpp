@@ -1,6 +1,7 @@
 #include "engine/systems/events/standing.h"
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -10,6 +11,9 @@
 namespace muster {
 namespace {
 
+// Places that nothing bars may stand so far from where the mesh has them, as marches end in even rows [m].
+constexpr double kShifted = 1.0;
+
 /// Judges the members of one group.
 class Judge {
 public:
@@ -18,10 +22,15 @@ public:
           group_(group),
           second_(stepsIn(state, kArrivedTime)),
           held_(group.orders.held && !group.orders.orders.empty()),
-          goes_(isDrawn(group) || isOnItsWay(group) || (!group.orders.orders.empty() && !group.orders.begun)) {
+          goes_(isDrawn(group) || isOnItsWay(group) ||
+                (!group.orders.orders.empty() && !group.orders.begun)) {
         const std::vector<std::uint8_t>& fit = group.places.fit();
         for (std::int32_t k = 0; k < std::ssize(fit); ++k)
             if (fit[k] == 0) unfit_.push_back(k);
+        group.mesh.placePositions(wanted_);
+        const std::vector<Vec2>& room = group.room.given;
+        if (room.size() != wanted_.size()) return;
+        for (std::size_t k = 0; k < room.size(); ++k) wanted_[k] += group.mesh.pose().rotation.apply(room[k]);
     }
 
     StandingReport ofMatched(std::int32_t i, std::int32_t place) const {
@@ -31,11 +40,12 @@ public:
         if (held_ || (!walk.within && waits(i))) return {Standing::Held, wanted};
         if (goes_) return {Standing::OnTheWay, wanted};
         if (isCutOff(i)) return {Standing::NoWay, wanted};
-        const bool displaced = distance(wanted, places.reachableTargets()[place]) > kArrivedReach;
-        const bool stands = walk.within && state_.stepCount - walk.since >= second_ && placeRests(places, place);
-        if (stands || walk.stuckRaised)
-            return {displaced ? bar(wanted) : stands ? Standing::InPlace : Standing::Stuck, wanted};
-        return {Standing::OnTheWay, wanted};
+        const bool stands = walk.within && state_.stepCount - walk.since >= second_ &&
+                            placeRests(places, place);
+        if (!stands && !walk.stuckRaised) return {Standing::OnTheWay, wanted};
+        return {barAt(wanted, distance(wanted, places.reachableTargets()[place]))
+                    .value_or(stands ? Standing::InPlace : Standing::Stuck),
+                wanted};
     }
 
     /// Those without a place have none because so many places are unfit: each gets the cause of one.
@@ -43,6 +53,7 @@ public:
         const Vec2 here = state_.characters.position[i];
         if (held_ || waits(i)) return {Standing::Held, here};
         if (goes_) return {Standing::OnTheWay, here};
+        if (isCutOff(i)) return {Standing::NoWay, here};
         if (next_ == unfit_.size()) return {Standing::Crowded, here};
         const Vec2 wanted = wantedAt(unfit_[next_++]);
         return {bar(wanted), wanted};
@@ -71,8 +82,16 @@ private:
     }
 
     Vec2 wantedAt(std::int32_t place) const {
-        const std::vector<Vec2>& asked = group_.places.targets();
-        return std::cmp_less(place, asked.size()) ? asked[place] : group_.places.reachableTargets()[place];
+        return std::cmp_less(place, wanted_.size()) ? wanted_[place]
+                                                    : group_.places.reachableTargets()[place];
+    }
+
+    /// What keeps people as far as `away` [m] from where they are wanted; none where they are near enough.
+    std::optional<Standing> barAt(Vec2 wanted, double away) const {
+        if (away <= kArrivedReach) return std::nullopt;
+        const Standing found = bar(wanted);
+        if (found == Standing::Crowded && away <= kShifted) return std::nullopt;
+        return found;
     }
 
     Standing bar(Vec2 wanted) const { return barOf(state_, group_, group_.region, wanted); }
@@ -83,6 +102,7 @@ private:
     const bool held_;  // It was told to hold before its order was done.
     const bool goes_;
     std::vector<std::int32_t> unfit_;
+    std::vector<Vec2> wanted_;  // By place: where the formation wants it [m].
     std::size_t next_ = 0;
 };
 

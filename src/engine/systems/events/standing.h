@@ -16,12 +16,12 @@ struct StandingReport {
     Vec2 wanted;
 };
 
-/// What keeps a group from standing at a point; Crowded where the ground does not. `region` is where it can go,
-/// -1 for anywhere.
+/// What keeps a group from standing at a point; Crowded where the ground does not. `region` is where it can
+/// go, -1 for anywhere.
 Standing barOf(const WorldState& state, const Group& group, std::int32_t region, Vec2 point);
 
-/// Judges all members of a group by the last step; `reports` has an entry per character of the world, of which
-/// those of the group are written.
+/// Judges all members of a group by the last step; `reports` has an entry per character of the world, of
+/// which those of the group are written.
 void judgeStandings(const WorldState& state, const Group& group, std::span<StandingReport> reports);
 
 }  // namespace muster

@@ -32,8 +32,8 @@ void FrameSender::sendScene(const WorldPicture& picture, std::vector<MessageByte
     }
 }
 
-// Writes what has changed of each group since the last frame: the offsets of places, how people stand, and the
-// queue. What the client knows of the latter two is taken out of the frame until restoreGroups().
+// Writes what has changed of each group since the last frame: the offsets of places, how people stand, and
+// the queue. What the client knows of the latter two is taken out of the frame until restoreGroups().
 void FrameSender::encodeGroups(const WorldPicture& picture) {
     std::vector<protocol::GroupFrame>& groups = picture.frame.groups;
     for (std::size_t g = 0; g < groups.size(); ++g) {

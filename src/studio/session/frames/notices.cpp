@@ -22,7 +22,8 @@ std::string sentence(EventKind kind, const GroupView& group, std::uint32_t numbe
     switch (kind) {
         case EventKind::Stuck:
             return ofAll(number, group) + (number == 1 ? " does" : " do") +
-                   " not get on, and stood for 5 s away from " + (number == 1 ? "its place." : "their places.");
+                   " not get on, and stood for 5 s away from " +
+                   (number == 1 ? "its place." : "their places.");
         case EventKind::Blocked:
             return "the way of " + (all ? std::string("everybody") : ofAll(number, group)) + " is cut off.";
         case EventKind::Free:

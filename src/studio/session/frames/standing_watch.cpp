@@ -54,10 +54,12 @@ void StandingWatch::look(const World& world, std::vector<EventNotice>& notices) 
         const GroupView group = world.group(g);
         Known& known = groups_[group.id.value];
         const StandingCounts& counts = all[g];
-        known.rests = counts == known.counts && numberOf(counts, Standing::OnTheWay) == 0 ? known.rests + 1 : 0;
+        known.rests = counts == known.counts && numberOf(counts, Standing::OnTheWay) == 0 ? known.rests + 1
+                                                                                          : 0;
         known.counts = counts;
         // Most of the group set out again: what is found next is news.
-        if (2 * numberOf(counts, Standing::OnTheWay) > static_cast<std::uint32_t>(group.count)) known.told = 0;
+        if (2 * numberOf(counts, Standing::OnTheWay) > static_cast<std::uint32_t>(group.count))
+            known.told = 0;
         if (known.rests < kRestLooks) continue;
         const std::uint32_t barred = barredOf(counts);
         const bool isKnown = barred == std::min(known.without, numberOf(counts, Standing::NoWay)) ||
