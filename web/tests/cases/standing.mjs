@@ -36,9 +36,10 @@ async function atRest(studio) {
 /** A press beyond the edge says at once that places lie there; the crowd that is squeezed against it is not in place. */
 export async function beyondTheEdge(studio) {
   const { mouse } = studio.page;
-  await studio.send({ type: 'SetSpeed', factor: 4 });
   const [at] = await studio.screen([{ x: -4, y: -17.5 }]);
   await mouse.click(at.x, at.y, { button: 'right' });
+  await studio.until('the walk', (walk) => [...globalThis.__muster.frame.groups[0].standings][walk] > 20, kOnTheWay);
+  expect((await words(studio, 'does')) !== 'all in their places', 'who walks is not in place');
   await studio.until(
     'words beside the target',
     () => /outside the ground/.test(globalThis.__muster.view.orders.scene(true).drawn?.note?.text ?? ''),
@@ -47,8 +48,7 @@ export async function beyondTheEdge(studio) {
   );
   await studio.pictures(2);
   await studio.shot('edge-order');
-  await studio.until('the walk', (walk) => [...globalThis.__muster.frame.groups[0].standings][walk] > 20, kOnTheWay);
-  expect((await words(studio, 'does')) !== 'all in their places', 'who walks is not in place');
+  await studio.send({ type: 'SetSpeed', factor: 4 });
   await atRest(studio);
   await studio.until('the banner', () => !document.querySelector('.notice').hidden, null, 8000);
   const said = await studio.page.locator('.notice strong').textContent();
@@ -74,7 +74,6 @@ export async function beyondTheEdge(studio) {
 
 /** A word across the granary: letters lie in it. */
 export async function wordInAWall(studio) {
-  await studio.send({ type: 'SetSpeed', factor: 4 });
   const points = Array.from({ length: 36 }, (_, i) => [(i % 12) * 0.8 - 4.4, Math.floor(i / 12) * 2 - 2]);
   await studio.send({
     type: 'Commands',
@@ -84,6 +83,7 @@ export async function wordInAWall(studio) {
     ],
   });
   await studio.until('the walk', (walk) => [...globalThis.__muster.frame.groups[0].standings][walk] > 20, kOnTheWay);
+  await studio.send({ type: 'SetSpeed', factor: 4 });
   await atRest(studio);
   await studio.until('the banner', () => /cannot be/.test(document.querySelector('.notice').textContent), null, 8000);
   expect((await words(studio, 'does')) !== 'all in their places', 'the readout does not say that all are');

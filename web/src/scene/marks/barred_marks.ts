@@ -26,7 +26,7 @@ interface Scene {
 }
 
 const kCross = 5;
-const kRing = 0.62;
+const kRing = 0.4;
 /** Who is nearer to its place than this has no line to it [m]. */
 const kNear = 0.3;
 
@@ -53,7 +53,7 @@ export function drawBarred(painter: MarkPainter, barred: readonly BarredPicture[
     const [from, to] = [camera.worldToScreen(person.x, person.y), camera.worldToScreen(place.x, place.y)];
     painter.ring(from, colours, kRing);
     if (Math.hypot(place.x - person.x, place.y - person.y) < kNear) continue;
-    painter.dashed([from, to], colours.accent, 1.6, false, colours.casing);
+    painter.dashed([from, to], colours.accent, 1.2, false);
     painter.cross(to, colours, kCross);
   }
 }

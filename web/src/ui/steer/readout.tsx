@@ -59,9 +59,9 @@ function Words({ state, actions }: Props): VNode {
       <span class="plain-words">
         <strong class="plain-people">{words.people}</strong>
         <span class="plain-does">{words.does}</span>
-        <span class="plain-barred">{words.barred}</span>
+        <span class="plain-barred unseen">{words.barred}</span>
         <span class="plain-items">{words.items}</span>
-        <span class="plain-slow">{words.slow}</span>
+        <span class="plain-slow">{words.barred === '' ? words.slow : ''}</span>
       </span>
       <Icon name="chevron" />
     </button>
@@ -119,7 +119,7 @@ export class Readout {
             <button
               type="button"
               class="soft plain-show"
-              data-tip="Shows who cannot be in their places"
+              data-tip={`${plainWords(state).barred}: shows them`}
               onClick={() => actions.showBarred()}
             >
               Show
