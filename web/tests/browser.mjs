@@ -15,6 +15,7 @@ import * as findings from './cases/findings.mjs';
 import * as forms from './cases/forms.mjs';
 import * as groupAppearance from './cases/group_appearance.mjs';
 import * as groupColour from './cases/group_colour.mjs';
+import * as letters from './cases/letters.mjs';
 import * as limits from './cases/limits.mjs';
 import * as look from './cases/look.mjs';
 import * as measures from './cases/measures.mjs';
@@ -150,6 +151,7 @@ const kCases = [
   ['drawn formation', shapes.drawnFormation, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
   ['formation of one’s own', shapes.ownShape, ['desktop', 'portrait', 'phone'], { scenario: 'scenarios/open.json' }],
   ['written formation', shapes.writtenFormation, ['desktop'], { scenario: 'scenarios/open.json', room: true }],
+  ...letters.kLetterCases,
   ['forms: look by mouse', forms.lookByMouse, ['desktop'], { touch: false, scenario: 'scenarios/block.json' }],
   ['forms: look by touch', forms.lookByTouch, ['landscape', 'portrait', 'phone'], { scenario: 'scenarios/block.json' }],
   [

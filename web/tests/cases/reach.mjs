@@ -38,6 +38,15 @@ const kDialogs = [
 const kSteering = [
   ['words as a formation', (studio) => press(studio, '.formation[data-opens="text"]')],
   ['formation of one’s own', (studio) => press(studio, '.formation[data-opens="shape"]')],
+  [
+    'QR code',
+    async (studio) => {
+      if (!(await press(studio, '.formation[data-opens="shape"]'))) return false;
+      await studio.page.locator('dialog[open] button', { hasText: 'QR code' }).click();
+      await studio.page.locator('dialog[open] input[inputmode="url"]').fill('https://example.org/a');
+      return true;
+    },
+  ],
   ['group to add', (studio) => press(studio, '.add-group')],
 ];
 

@@ -295,8 +295,8 @@ export class StudioApp {
     this.sceneRevision_ = scene.revision;
     try {
       this.reader_.setScene(scene);
-      const { title, name, credit, demonstration, parameters, areas } = scene;
-      this.store.set({ title, scenario: name, credit, demonstration, parameters, areas, loaded: true });
+      const { title, name, credit, demonstration, parameters, areas, radius: bodyRadius } = scene;
+      this.store.set({ title, scenario: name, credit, demonstration, parameters, areas, bodyRadius, loaded: true });
       const before = this.scene_;
       // A scene comes again when only a parameter or a count changed: nothing looks different then.
       this.view_.orders.setGroups(scene.groups);

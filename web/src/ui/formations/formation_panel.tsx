@@ -37,7 +37,7 @@ export const kFormations: readonly FormationChoice[] = [
 const kTips = {
   text: 'Words as a formation',
   draw: 'Draw an outline on the ground as a formation; hold it and draw with another finger',
-  shape: 'Mirror, turn, loosen, save; a picture as a formation',
+  shape: 'Mirror, turn, loosen, save; a picture or a QR code as a formation',
 } as const;
 /** What the server calls shapes that are no part of the library. */
 const kOwnShapes: Readonly<Record<string, string>> = { outline: 'draw', points: 'more' };
