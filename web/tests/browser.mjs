@@ -34,6 +34,7 @@ import * as scenarios from './cases/scenarios.mjs';
 import * as shapes from './cases/shapes.mjs';
 import * as session from './cases/session.mjs';
 import * as schemes from './cases/schemes.mjs';
+import * as standing from './cases/standing.mjs';
 import * as study from './cases/study.mjs';
 import * as oldTakes from './cases/old_take.mjs';
 import * as paths from './cases/path.mjs';
@@ -102,6 +103,9 @@ const kCases = [
     ['landscape', 'portrait', 'phone'],
     { scenario: 'scenarios/block.json', room: true },
   ],
+  ['standing: beyond the edge', standing.beyondTheEdge, ['wide'], { ...kOpen, touch: false }],
+  ['standing: a word in a wall', standing.wordInAWall, ['desktop'], { scenario: 'scenarios/block.json' }],
+  ['standing: ten drags', standing.tenDrags, ['desktop'], kOpen],
   ['orders: conduct', orders.conduct, [...kTablets, 'phone'], { room: true }],
   ...undo.kUndoCases,
   ['paused', feedback.paused, ['desktop'], { room: true }],

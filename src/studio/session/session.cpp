@@ -55,6 +55,7 @@ void Session::Impl::beginWith(World begun, const std::string& worldName, const W
     pacer.reset();
     playing = true;
     frames.restart();
+    standings.restart();
     stages.forget();
     directors.forgetGroups();
     beginMotion();
@@ -288,6 +289,7 @@ void Session::Impl::reportRejections() {
 void Session::Impl::noticeEvents() {
     std::vector<EventNotice> notices;
     appendNotices(*world, notices);
+    standings.observe(*world, notices);
     for (const EventNotice& one : notices) noticeAll(one.level, one.code, one.text, one.position);
 }
 

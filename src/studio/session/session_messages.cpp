@@ -221,6 +221,13 @@ public:
         return {};
     }
 
+    Status operator()(const protocol::AskStandings& message) {
+        if (!session_.world) return noWorld();
+        if (Status status = takeForecasts(1); !status.ok()) return status;
+        client_.outbox.push_back(protocol::encode(answerStandings(*session_.world, message)));
+        return {};
+    }
+
     Status operator()(const protocol::SetScheme& message) {
         if (client_.steers && session_.world && !session_.player) {
             if (Status status = submit(CommandBody{ReleaseClient{}}); !status.ok()) return status;

@@ -12,6 +12,7 @@
 #include "studio/session/frames/frame_sender.h"
 #include "studio/session/frames/overlay.h"
 #include "studio/session/frames/stage_means.h"
+#include "studio/session/frames/standing_watch.h"
 #include "studio/session/history/place_editor.h"
 #include "studio/session/inbox/chosen_scheme.h"
 #include "studio/session/inbox/directors.h"
@@ -207,6 +208,7 @@ struct Session::Impl {
     std::uint64_t signature = 0;  // Signature of the scene with that revision.
     MessageBytes sceneBytes;      // The Scene message with that revision.
     FrameBuilder frames;
+    StandingWatch standings;
     StageMeans stages;  // Of steps since somebody watches.
     MotionFrames motion;
     std::vector<Attention> attentions;             // Attention of all clients; working memory.

@@ -12,6 +12,7 @@ import type {
   Notice,
   Overlay,
   Places,
+  Standings,
   Pong,
   Scene,
   ServerMessage,
@@ -41,6 +42,7 @@ export interface StudioEvents {
   notice: Notice;
   forecasts: Forecasts;
   places: Places;
+  standings: Standings;
   marks: Marks;
   studyForm: StudyForm;
   studyState: StudyState;
@@ -63,6 +65,7 @@ const kEvents = {
   Notice: 'notice',
   Forecasts: 'forecasts',
   Places: 'places',
+  Standings: 'standings',
   Marks: 'marks',
   StudyForm: 'studyForm',
   StudyState: 'studyState',

@@ -148,7 +148,11 @@ export interface StudioState {
   /** Things to collect, and how many are gone. */
   readonly items: number;
   readonly collected: number;
+  /** How people stand, by groups; parallel to `groups`. */
+  readonly standings: readonly (readonly number[])[];
   readonly stepMs: number;
+  /** Seconds of the world per second; NaN where that is not known. */
+  readonly pace: number;
   readonly lag: number;
   readonly swaps: number;
   readonly walks: Walks;
@@ -237,7 +241,9 @@ export const kInitialState: StudioState = {
   characters: 0,
   items: 0,
   collected: 0,
+  standings: [],
   stepMs: 0,
+  pace: NaN,
   lag: 0,
   swaps: 0,
   walks: { sum: 0, squares: 0, longest: 0 },

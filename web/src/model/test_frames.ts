@@ -104,6 +104,7 @@ interface QuietOrders {
   readonly cut: null;
   readonly cursor: null;
   readonly scheme: null;
+  readonly barred: readonly never[];
 }
 
 /** The same where nobody has done anything yet. */
@@ -122,6 +123,7 @@ export function quietOrders(): QuietOrders {
     cursor: null,
     cut: null,
     scheme: null,
+    barred: [],
   };
 }
 

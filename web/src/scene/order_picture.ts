@@ -6,6 +6,7 @@ import type { GroupView, ShapeMeshView } from '../model/frame_view';
 import type { GroundPoint } from '../model/plane';
 import type { BodyBuildWord } from '../protocol/generated/words';
 import type { SceneGroup } from '../protocol/messages';
+import { barredPicture, type BarredPerson } from './marks/barred_marks';
 import type { DrawnCut, DrawnForecast, DrawnOrder, OrderScene } from './marks/order_marks';
 import { saidOf } from './marks/stand_marks';
 import { schemePicture, type CrowdPlaces, type SchemeView } from './marks/scheme_marks';
@@ -25,6 +26,7 @@ export class OrderPicture {
   private cut_: DrawnCut | null = null;
   private scheme_: SchemeView | null = null;
   private cursor_: GroundPoint | null = null;
+  private barred_: readonly BarredPerson[] = [];
   private groups_: readonly GroupView[] = [];
   private colours_: readonly number[] = [];
   private builds_: readonly (BodyBuildWord | null)[] = [];
@@ -48,6 +50,7 @@ export class OrderPicture {
   clear(): void {
     this.shapes_.clear();
     this.groups_ = [];
+    this.barred_ = [];
   }
 
   setMesh(mesh: ShapeMeshView): void {
@@ -114,6 +117,12 @@ export class OrderPicture {
     this.changed_();
   }
 
+  /** Marks people who cannot be in their places, and these places. */
+  setBarred(people: readonly BarredPerson[]): void {
+    this.barred_ = people;
+    this.changed_();
+  }
+
   /** Takes the groups of the newest frame; true where their people look otherwise than before. */
   update(groups: readonly GroupView[]): boolean {
     this.groups_ = groups;
@@ -143,6 +152,7 @@ export class OrderPicture {
       picked: this.picked_,
       cut: this.cut_,
       cursor: this.cursor_,
+      barred: barredPicture(this.barred_, this.crowd_),
       scheme: this.scheme_ && schemePicture(this.scheme_, this.crowd_),
     };
   }

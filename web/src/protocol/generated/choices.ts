@@ -137,6 +137,20 @@ export const Stance = {
 } as const;
 export type Stance = (typeof Stance)[keyof typeof Stance];
 
+/** Whether a character stands in its place, and if not, what keeps it from there. Of a place it is said where the formation wants it: people stand beside it where they cannot stand there. */
+export const Standing = {
+  InPlace: 0,
+  OnTheWay: 1,
+  Held: 2,
+  Stuck: 3,
+  Outside: 4,
+  Obstacle: 5,
+  Narrow: 6,
+  NoWay: 7,
+  Crowded: 8,
+} as const;
+export type Standing = (typeof Standing)[keyof typeof Standing];
+
 /** Kinds of events. Those from Arrived on tell how orders get on and how groups change; each from Arrived to Partial comes once per order and version of the ground. An order is a pose, a formation, a count or a drawn way; the ground changes with every command that changes obstacles or patches. */
 export const EventKind = {
   EnterPatch: 0,

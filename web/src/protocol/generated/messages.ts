@@ -15,6 +15,7 @@ import type {
   ControlKind,
   TouchPhase,
   Stance,
+  Standing,
   EventKind,
 } from './choices';
 import type {
@@ -135,10 +136,20 @@ export interface PlacesFrame {
   group: number;
   /** x, y on the ground [m]. */
   places: Float32Array;
-  /** Per place 0: it can be reached; 1: it lies in an obstacle or outside; 2: no way leads there. */
+  /** Per place a Standing: 0 where it can be reached, else what keeps people from there. */
   unfit: Uint8Array;
   /** One sentence: why it is no formation; else empty. */
   problem: string;
+}
+
+/** Somebody who cannot be in its place. */
+export interface StandingFrame {
+  id: number;
+  /** What keeps it from there. */
+  standing: Standing;
+  /** Where its formation wants it [m]. */
+  x: number;
+  y: number;
 }
 
 /** A group's mesh, places and controls [m]. */
@@ -160,6 +171,8 @@ export interface GroupFrame {
   offsets: Int16Array;
   /** A bit per place, the lowest first, 1: no room for anyone; empty where unchanged. */
   unfit: Uint8Array;
+  /** How many stand as each Standing tells, in its order; empty where unchanged. */
+  standings: Uint32Array;
   controls: ControlFrame[];
   /** Where its formation has its centre [m]. */
   x: number;
@@ -679,6 +692,13 @@ export interface WatchStages {
   on: boolean;
 }
 
+/** Who cannot be in its place, and why? */
+export interface AskStandings {
+  type: 'AskStandings';
+  /** Comes back with the answer. */
+  number: number;
+}
+
 /** The first answer; again with another number where a take is taken up. */
 export interface Welcome {
   type: 'Welcome';
@@ -987,6 +1007,13 @@ export interface StageTimes {
   stages: StageFrame[];
 }
 
+/** All who cannot be in their places: neither there, nor on their way, nor held. */
+export interface Standings {
+  type: 'Standings';
+  number: number;
+  people: StandingFrame[];
+}
+
 /** Any message of the page. */
 export type ClientMessage =
   | Hello
@@ -1017,7 +1044,8 @@ export type ClientMessage =
   | UndoEdit
   | DoInStudy
   | AskPlaces
-  | WatchStages;
+  | WatchStages
+  | AskStandings;
 
 /** Any message of the server. */
 export type ServerMessage =
@@ -1040,4 +1068,5 @@ export type ServerMessage =
   | StudyForm
   | StudyState
   | Places
-  | StageTimes;
+  | StageTimes
+  | Standings;

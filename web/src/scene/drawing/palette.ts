@@ -11,7 +11,9 @@ export interface Palette {
   readonly groundOutside: string;
   readonly lineFine: string;
   readonly lineCoarse: string;
+  /** Where the ground ends, and the kerb beyond. */
   readonly edge: string;
+  readonly kerb: string;
   /** Part of its light that ground keeps in shadow. */
   readonly shadowKeeps: number;
   readonly panel: string;
@@ -54,10 +56,11 @@ export interface Palette {
 
 const kLight: Palette = {
   ground: '#E6E1D9',
-  groundOutside: '#DAD5CC',
+  groundOutside: '#CFC9BD',
   lineFine: '#DDD7CE',
   lineCoarse: '#CCC6BC',
-  edge: '#A39C90',
+  edge: '#7C7568',
+  kerb: '#F4F0E9',
   shadowKeeps: 0.7,
   panel: '#FFFFFF',
   ink: '#171B20',
@@ -98,10 +101,11 @@ const kLight: Palette = {
 
 const kDark: Palette = {
   ground: '#21262C',
-  groundOutside: '#1B2025',
+  groundOutside: '#14181D',
   lineFine: '#292F35',
   lineCoarse: '#353C43',
-  edge: '#56606A',
+  edge: '#8793A0',
+  kerb: '#3B444D',
   shadowKeeps: 0.6,
   panel: '#1F2429',
   ink: '#EEF1F4',

@@ -9,6 +9,7 @@ import { MarkExtent, type MarkBounds } from './mark_extent';
 import { MarkPainter, type MarkColours } from './mark_painter';
 import { OrderMarks, type OrderScene } from './order_marks';
 import { accentColour, casingOf } from '../drawing/palette';
+import { drawBarred, extendByBarred } from './barred_marks';
 import { drawScheme, extendByScheme } from './scheme_marks';
 
 export interface MarkScene extends OrderScene {
@@ -67,6 +68,7 @@ export class MarkLayer {
     this.painter_.begin(this.bounds_ as MarkBounds, this.ratio_, this.width_);
     if (scene.overlay && scene.overlay.path.length >= 4) this.drawChosenPath(scene.overlay.path, scene);
     this.orders_.draw(scene);
+    drawBarred(this.painter_, scene.barred, scene);
     if (scene.scheme) drawScheme(this.painter_, scene.scheme, scene);
     for (const shown of controls) this.drawBody(shown, marks, scene);
     if (scene.paths) for (const shown of controls) this.drawPaths(shown, marks, scene);
@@ -101,6 +103,7 @@ export class MarkLayer {
     for (const { points, handles } of scene.drafts) for (const point of [...points, ...handles]) add(point.x, point.y);
     addAll(scene.overlay?.path ?? []);
     this.orders_.extend(extent, scene);
+    extendByBarred(extent, scene.barred, scene);
     if (scene.scheme) extendByScheme(extent, scene.scheme, scene);
     return extent;
   }

@@ -8,6 +8,7 @@ import { frontLine, outlineOf, placed, widened, type GroupShapes } from '../../m
 import { distance, pointsOf, type GroundPoint, type ScreenPoint } from '../../model/plane';
 import type { CameraController } from '../camera/camera_controller';
 import { accentColour, casingOf, inkOn, type Palette } from '../drawing/palette';
+import type { BarredPicture } from './barred_marks';
 import type { MarkExtent } from './mark_extent';
 import type { MarkColours, MarkPainter } from './mark_painter';
 import { changesShape, drawStations, stationSpots } from './station_marks';
@@ -76,6 +77,8 @@ export interface OrderScene {
   /** Of the keys. */
   readonly cursor: GroundPoint | null;
   readonly scheme: SchemePicture | null;
+  /** People who cannot be in their places, while they are shown. */
+  readonly barred: readonly BarredPicture[];
 }
 
 const kOthersAlpha = 0.42;

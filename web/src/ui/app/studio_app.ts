@@ -48,6 +48,7 @@ import { FileController } from './file_controller';
 import { OwnPeople } from '../steer/own_people';
 import { OwnPeopleCopy } from '../steer/own_people_copy';
 import { SchemeController } from '../steer/scheme_controller';
+import { StandingController } from '../steer/standing_controller';
 import { StudioShell } from './studio_shell';
 import { studioShortcuts } from './studio_shortcuts';
 import { StatsReadout, wantsStats } from './stats_readout';
@@ -74,6 +75,7 @@ export class StudioApp {
   private readonly attention_: AttentionSender;
   private readonly drafts_: Drafts;
   private readonly hitTest_ = new FormationHitTest();
+  private readonly standing_: StandingController;
   private readonly controller_: StudioController;
   private readonly shell_: StudioShell;
   readonly orders: OrderController;
@@ -113,7 +115,8 @@ export class StudioApp {
       view: view_,
       say,
     });
-    this.controller_ = new StudioController(client_, this.store, this.camera, say, people, this.shapes);
+    this.standing_ = new StandingController(client_, this.store, view_, this.camera, say);
+    this.controller_ = new StudioController(client_, this.store, this.camera, say, people, this.shapes, this.standing_);
     this.announcer_ = new ControlAnnouncer(this.store, this.controller_, say);
     this.files = new FileController(this.store, this.controller_, this.shapes);
     this.attention_ = new AttentionSender(client_);
@@ -139,8 +142,8 @@ export class StudioApp {
       orders: this.orders_,
       shapes: (contact) => this.shapes.owner(contact),
     });
-    const eye = { camera: this.camera.hand, screenToWorld: toGround };
-    this.keys_ = new CrowdKeys(eye, this.controls_, this.chooser_, this.middle, say);
+    const hand = { camera: this.camera.hand, screenToWorld: toGround };
+    this.keys_ = new CrowdKeys(hand, this.controls_, this.chooser_, this.middle, say);
     const shortcuts = this.shortcuts();
     this.directors_ = new DirectorsController(client_, this.store, view_, () => client_.clientId, say);
     this.shell_ = new StudioShell(page, this.store, this.controller_, this.orders, this.directors_, shortcuts);
@@ -326,6 +329,7 @@ export class StudioApp {
   private forgetWorld(): void {
     this.forgetTouches();
     this.formations_.clear();
+    this.standing_.forgetWorld();
     this.orders.forgetWorld();
     this.camera.forgetWorld();
     this.store.set({ active: 0, notice: null });
@@ -353,7 +357,7 @@ export class StudioApp {
     this.shapes.observe(frame);
     this.latency.echoed(frame.touchEcho, frame.frame, pageClock(receivedAt));
     this.timePicture();
-    this.store.set(this.reader_.change(frame, this.store.state));
+    this.store.set(this.reader_.change(frame, this.store.state, receivedAt));
     this.orders.observe(frame);
     this.directors_.observe(frame.groups);
     this.drafts_.observe(frame);
@@ -361,6 +365,7 @@ export class StudioApp {
     for (const { name, formation } of this.formations_.observe(this.store.state.groups, frame.step)) {
       this.shell_.live.say(`${name}: ${formation}`);
     }
+    this.standing_.observe(frame);
     const news = this.demonstrations_.observe(frame.demonstrating);
     if (news) this.shell_.live.say(news);
   }

@@ -8,6 +8,7 @@ import { kHintSteps, type DialogName, type HintStep, type PlacesView } from '../
 import { kObjectives, objectiveParameters } from '../../model/objective';
 import { formationKind } from '../../model/sequence';
 import type { OwnPeople } from '../steer/own_people';
+import type { StandingController } from '../steer/standing_controller';
 import type { StudioActions } from '../../model/studio_actions';
 import { downloadTake, openTake } from '../takes/takes';
 import { rememberTheme, writeSetting } from '../widgets/theme';
@@ -39,6 +40,9 @@ export type ControllerCamera = Pick<
   'fit' | 'toggleFollow' | 'frameGroup' | 'toggleTop' | 'toggleFlat' | 'saveView' | 'showView'
 > & { lookAt(point: GroundPoint): void };
 
+/** Notices about people who may not be in their places. */
+const kOfStanding: readonly string[] = ['standing', 'stuck', 'noPath', 'partial', 'blocked'];
+
 export class StudioController implements StudioActions {
   /** `say` speaks to the live region. */
   constructor(
@@ -48,6 +52,7 @@ export class StudioController implements StudioActions {
     private readonly say_: (text: string) => void,
     private readonly people_: Pick<OwnPeople, 'open' | 'reset'>,
     private readonly shapes_: Pick<ShapeActions, 'toggleDraw' | 'holdDraw' | 'lookAt' | 'shape'>,
+    private readonly standing_: Pick<StandingController, 'show'>,
   ) {}
 
   togglePlay(): void {
@@ -232,7 +237,14 @@ export class StudioController implements StudioActions {
 
   showNoticePlace(): void {
     const { notice } = this.store_.state;
-    if (notice?.hasPlace) this.camera_.lookAt({ x: notice.x, y: notice.y });
+    if (!notice?.hasPlace) return;
+    const spot = { x: notice.x, y: notice.y };
+    if (kOfStanding.includes(notice.code)) this.standing_.show(spot);
+    else this.camera_.lookAt(spot);
+  }
+
+  showBarred(): void {
+    this.standing_.show();
   }
 
   dismissNotice(): void {

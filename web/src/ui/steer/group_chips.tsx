@@ -3,6 +3,7 @@
 import type { VNode } from 'preact';
 import { formatCount } from '../../model/formatters';
 import type { OrderActions } from '../../model/order_actions';
+import { standingSum } from '../../model/standing';
 import type { StudioActions } from '../../model/studio_actions';
 import type { GroupInfo, StudioState } from '../../model/studio_state';
 import type { StudioStore } from '../../model/studio_store';
@@ -39,7 +40,7 @@ export class GroupChips {
     private readonly actions_: StudioActions,
     private readonly orders_: OrderActions,
   ) {
-    drawPanel(this.root, store, ['groups', 'active', 'selected'], (state) => (
+    drawPanel(this.root, store, ['groups', 'active', 'selected', 'standings'], (state) => (
       <>
         {state.groups.map((group, i) => this.chip(group, i, state))}
         <ToolButton
@@ -72,9 +73,10 @@ export class GroupChips {
     else if (box.right > room.right) this.root.scrollLeft += box.right - room.right + kBeside;
   }
 
-  private chip(group: GroupInfo, index: number, { groups, active, selected }: StudioState): VNode {
+  private chip(group: GroupInfo, index: number, { groups, active, selected, standings }: StudioState): VNode {
     const { id, name, colour, count } = group;
-    const marks = `${selected.length > 1 && selected.includes(id) ? ' chosen' : ''}${count === 0 ? ' empty' : ''}`;
+    const barred = standingSum([standings[index] ?? []]).barred;
+    const marks = `${barred === '' ? '' : ' barred'}${selected.length > 1 && selected.includes(id) ? ' chosen' : ''}${count === 0 ? ' empty' : ''}`;
     const pressed = (event: MouseEvent): void => {
       if (this.drag_.consumeClick()) return;
       if (event.shiftKey || event.ctrlKey || event.metaKey) this.orders_.choose(index, true);
@@ -86,7 +88,7 @@ export class GroupChips {
         type="button"
         class={`chip${marks}`}
         style={{ '--accent': accentVariable(colour) }}
-        aria-label={`${name}, ${count} characters`}
+        aria-label={[`${name}, ${count} characters`, barred].filter((one) => one !== '').join(', ')}
         aria-pressed={groups[active]?.id === id}
         data-tip={`Choose ${name}; twice: bring it into view; drag it onto another to join them`}
         data-key="G"

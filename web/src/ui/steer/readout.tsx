@@ -60,8 +60,9 @@ function Words({ state, actions }: Props): VNode {
       <span class="plain-words">
         <strong class="plain-people">{words.people}</strong>
         <span class="plain-does">{words.does}</span>
+        <span class="plain-barred unseen">{words.barred}</span>
         <span class="plain-items">{words.items}</span>
-        <span class="plain-slow">{words.slow}</span>
+        <span class="plain-slow">{words.barred === '' ? words.slow : ''}</span>
       </span>
       <Icon name="chevron" />
     </button>
@@ -115,6 +116,16 @@ export class Readout {
       return (
         <>
           <Words state={state} actions={actions} />
+          {plainWords(state).barred !== '' && (
+            <button
+              type="button"
+              class="soft plain-show"
+              data-tip={`${plainWords(state).barred}: shows them`}
+              onClick={() => actions.showBarred()}
+            >
+              Show
+            </button>
+          )}
           {state.figures && (
             <div class="figures">
               <Figure name="characters" label="People" value={formatCount(state.characters)} unit="people" />

@@ -386,10 +386,22 @@ struct WatchStages {
     }
 };
 
+/// Who cannot be in its place, and why?
+struct AskStandings {
+    static constexpr std::uint8_t kNumber = 29;  ///< First byte of the message.
+    std::uint32_t number = 0;  ///< Comes back with the answer.
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(number);
+    }
+};
+
 /// Any message of the page; the index is its number.
 using ClientMessage = std::variant<
     Hello, Touches, Playback, SetSpeed, LoadScenario, Record, SetOverlay, Commands, Attend, FrameAck, Ping,
     Seek, TakeAgain, EditTake, AskForecasts, SetName, GiveGroup, SetScheme, SetView, Inputs, EnterStudy,
-    AnswerForm, AskPath, BendPath, Edit, UndoEdit, DoInStudy, AskPlaces, WatchStages>;
+    AnswerForm, AskPath, BendPath, Edit, UndoEdit, DoInStudy, AskPlaces, WatchStages, AskStandings>;
 
 }  // namespace muster::protocol

@@ -384,9 +384,22 @@ struct StageTimes {
     }
 };
 
+/// All who cannot be in their places: neither there, nor on their way, nor held.
+struct Standings {
+    static constexpr std::uint8_t kNumber = 20;  ///< First byte of the message.
+    std::uint32_t number = 0;
+    std::vector<StandingFrame> people;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(number, people);
+    }
+};
+
 /// Any message of the server; the index is its number.
 using ServerMessage = std::variant<
     Welcome, Scene, Motions, GroupMesh, Frame, Overlay, Notice, Pong, TakePath, EditHistory, Forecasts,
-    TakeState, TakeReady, TakeKept, Directors, Marks, StudyForm, StudyState, Places, StageTimes>;
+    TakeState, TakeReady, TakeKept, Directors, Marks, StudyForm, StudyState, Places, StageTimes, Standings>;
 
 }  // namespace muster::protocol
