@@ -11,6 +11,7 @@ constexpr std::array kFormats{
     ExportFormat{"usda", ".usda", "one USD text file with the same"},
     ExportFormat{"bvh", "-bvh", "a folder with one BVH file per character"},
     ExportFormat{"joints", "-joints.json", "where all joints are, as JSON"},
+    ExportFormat{"csv", ".csv", "a table: who was where, how fast and in which motion"},
     ExportFormat{"jupedsim", ".sqlite", "trajectories as JuPedSim's SQLite file"},
     ExportFormat{"pedpy", ".txt", "trajectories as text for PedPy"},
     ExportFormat{"player", ".muster-player", "one small file that <muster-player> plays in any web page"},
@@ -20,7 +21,7 @@ constexpr std::array kFormats{
 using MakeExporter = std::unique_ptr<Exporter> (*)(const std::string&);
 constexpr std::array<MakeExporter, kFormats.size()> kMakers{
     makeGltfExporter,     makeUsdExporter,   makeBvhExporter,    makeJointListExporter,
-    makeJupedsimExporter, makePedpyExporter, makePlayerExporter,
+    makeCsvExporter, makeJupedsimExporter, makePedpyExporter, makePlayerExporter,
 };
 
 }  // namespace
