@@ -9,6 +9,7 @@ import * as buildCorners from './cases/build_corners.mjs';
 import * as camera from './cases/camera.mjs';
 import * as directors from './cases/directors.mjs';
 import * as demonstration from './cases/demonstration.mjs';
+import * as exports from './cases/exports.mjs';
 import * as feedback from './cases/feedback.mjs';
 import * as film from './cases/film_camera.mjs';
 import * as findings from './cases/findings.mjs';
@@ -44,6 +45,7 @@ import { kPort, startStudio } from './support/server.mjs';
 import { StudioPage } from './support/studio_page.mjs';
 
 const kOpen = { scenario: 'scenarios/open.json', room: true };
+const kGroups = { scenario: 'web/tests/scenarios/two-groups.json' };
 const kTablets = ['desktop', 'landscape', 'portrait'];
 
 /** Name, test, sizes, and options of the page. `room`: zoomed out, to have room to drag; `shared`: one page serves all such
@@ -250,6 +252,9 @@ const kCases = [
   ['paths: one person', paths.single, ['landscape', 'phone'], { scenario: 'scenarios/open.json' }],
   ['takes: of another version', oldTakes.oldTake, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
   ['takes: exports', takes.exports, ['desktop'], { scenario: 'scenarios/open.json', release: true }],
+  ['exports: of a group and a part', exports.chosenPart, ['desktop', 'phone'], kGroups],
+  ['exports: of nobody', exports.nobodyChosen, ['desktop'], kGroups],
+  ['exports: people without background', exports.clearPictures, ['desktop', 'portrait'], kGroups],
   ['takes: cut off', takes.cutOff, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
   [
     'place files: save and open',

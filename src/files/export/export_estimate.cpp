@@ -40,7 +40,8 @@ public:
     AttendanceCount(const ExportDef& def, const World& world) : def_(def) {
         const CharactersView view = world.characters();
         std::vector<ExportCharacter> chosen;
-        for (std::size_t i = 0; i < view.size(); ++i) chosen.push_back({view.id[i], view.group[i]});
+        for (std::size_t i = 0; i < view.size(); ++i)
+            chosen.push_back({view.id[i], view.group[i], view.position[i]});
         ChosenPeople(def).keep(world, chosen);
         for (const ExportCharacter& c : chosen) start_.push_back(c.id);
         newest_ = view.size() > 0 ? view.id.back() : 0;

@@ -56,6 +56,8 @@ std::unique_ptr<Exporter> makeCsvExporter(const std::string& path);
 /// in the colour of its group; ground, obstacles and patches as they are at the first frame; a camera that
 /// sees all positions of the take. Z is up, one unit is one metre, and time code 0 is the first frame.
 std::unique_ptr<Exporter> makeUsdExporter(const std::string& path);
+/// Writes the same as one binary USDC file.
+std::unique_ptr<Exporter> makeUsdCrateExporter(const std::string& path);
 
 std::unique_ptr<Exporter> makePlayerExporter(const std::string& path);  ///< For formats.cpp.
 

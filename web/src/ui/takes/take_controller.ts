@@ -10,6 +10,7 @@ import type { TakeActions } from '../../model/take_actions';
 import { kTakeEnd, takeTitle, type OpenTake, type ShelvedTake, type TakeAbout } from '../../model/take_facts';
 import type { StudioScene } from '../../scene/studio_scene';
 import { ExportController } from './export_controller';
+import type { ExportGroup } from './export_kinds';
 import { FilmCameraController } from './film_camera_controller';
 import { TakeCard, type CardKind } from './take_card';
 import { TakeShelf } from './take_shelf';
@@ -19,6 +20,7 @@ import { Scrubber } from './scrubber';
 import { save } from '../../link/answers';
 import { ShelfLink, pictureAddress, takeAddress } from '../../link/shelf_link';
 import { scenarioBehind } from '../../model/scenario_behind';
+import { markSeen, seenTakes } from './seen_takes';
 import { TakeCopies, isCopyOnly, withCopies } from './take_copies';
 import { openTake } from './takes';
 import { element } from '../widgets/dom';
@@ -33,8 +35,6 @@ const kPictureEvery = 3000;
 const kPictureWait = 1500;
 /** How long a picture blends towards a frame that has come [ms]. */
 const kSettle = 90;
-/** Cut off recordings that the visitor has seen. */
-const kSeenKey = 'muster.cutoff';
 
 export interface TakeControllerParts {
   readonly client: StudioClient;
@@ -225,8 +225,13 @@ export class TakeController implements TakeActions {
     const listed = this.takes_.find((one) => one.name === name) ?? this.card_.take;
     const take = this.take_;
     if (take && (name === undefined || name === take.name))
-      return this.exports.open({ ...take, title: this.titleOf(take) });
-    if (listed) this.exports.open({ ...listed, title: takeTitle(listed) });
+      return this.exports.open({ ...take, title: this.titleOf(take), groups: this.groups() });
+    if (listed) this.exports.open({ ...listed, title: takeTitle(listed), groups: [] });
+  }
+
+  /** Of the shown moment. */
+  private groups(): readonly ExportGroup[] {
+    return this.parts_.store.state.groups.map(({ id, name }) => ({ id, name: name || `Group ${id}` }));
   }
 
   // The shelf.
@@ -307,7 +312,7 @@ export class TakeController implements TakeActions {
 
   closeCard(): void {
     const { take } = this.card_;
-    if (take && !take.finished) this.markSeen(take.name);
+    if (take && !take.finished) markSeen(take.name);
     this.card_.close();
   }
 
@@ -374,27 +379,11 @@ export class TakeController implements TakeActions {
     } catch {
       return;
     }
-    const found = this.takes_.find((take) => !take.finished && !take.recording && !this.seen().includes(take.name));
+    const found = this.takes_.find((take) => !take.finished && !take.recording && !seenTakes().includes(take.name));
     if (!found) return;
     // Once: it lies on the shelf.
-    this.markSeen(found.name);
+    markSeen(found.name);
     this.showCard(found, 'cut off');
     this.live_.say('A recording was cut off, and is safe');
-  }
-
-  private seen(): readonly string[] {
-    try {
-      return JSON.parse(window.localStorage.getItem(kSeenKey) ?? '[]') as string[];
-    } catch {
-      return [];
-    }
-  }
-
-  private markSeen(name: string): void {
-    try {
-      window.localStorage.setItem(kSeenKey, JSON.stringify([...this.seen(), name].slice(-50)));
-    } catch {
-      // Without storage it is offered again.
-    }
   }
 }
