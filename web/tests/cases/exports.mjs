@@ -16,11 +16,7 @@ async function openExport(studio, seconds) {
 const choose = (studio, kind) => studio.page.locator(`${kDialog} input[value="${kind}"][type="radio"]`).check();
 
 /** A number in one of the dialog's fields. */
-async function type(studio, label, value) {
-  const field = studio.page.locator(`${kDialog} [aria-label="${label}"]`);
-  await field.fill(String(value));
-  await field.blur();
-}
+const type = (studio, label, value) => studio.page.locator(`${kDialog} [aria-label="${label}"]`).fill(String(value));
 
 /** The bytes and people that the dialog tells of. */
 async function told(studio) {
@@ -112,7 +108,10 @@ function filesOf(zip) {
 export async function clearPictures(studio) {
   await openExport(studio, 0.8);
   await choose(studio, 'pictures');
-  await type(studio, 'Seconds to', 0.1);
+  await type(studio, 'Seconds from', 0.7);
+  await type(studio, 'Seconds to', 0.6);
+  await studio.until('a word', () => /ends before/.test(document.querySelector('.export-size').textContent));
+  await type(studio, 'Seconds to', 0.8);
   await studio.page.locator(`${kDialog} select[aria-label="Frames a second"]`).selectOption('24');
   await studio.page.locator(`${kDialog} select[aria-label="Size"]`).selectOption('1280 × 720');
   await studio.shot('export-pictures');

@@ -39,6 +39,7 @@ export interface ExportHost {
 }
 
 const kClean = { mesh: false, places: false, paths: false };
+const kNoPart = 'The part ends before it begins.';
 const kNoShelf = 'This take lies on no shelf: save it as a file and open that first.';
 
 function plainName(title: string): string {
@@ -116,6 +117,7 @@ export class ExportController {
     if (!subject || this.running_ || choice.kind.name === 'picture') return null;
     if (choice.kind.here) {
       const seconds = choice.to - choice.from;
+      if (seconds < 0) return kNoPart;
       return `${Math.floor(seconds * choice.fps) + 1} pictures, ${formatLengthOf(seconds)}`;
     }
     const run = new ServerExport(this.host_.shelf);
@@ -138,6 +140,7 @@ export class ExportController {
           show: (step) => this.host_.show(step),
           drawPeople: (dark, bright) => this.drawPeople(dark, bright, choice.shadows),
         });
+    if (choice.to < choice.from) throw new Error(kNoPart);
     this.running_ = maker;
     const take = await this.host_.opened(subject.name);
     const steps = (seconds: number): number => Math.min(take.steps, Math.max(0, Math.round(seconds / take.stepTime)));

@@ -18,13 +18,15 @@ export interface ExportDialogActions {
   size(choice: ExportChoice): Promise<string | null>;
 }
 
-/** What the fields hold; people as they are typed. */
-interface Fields extends Omit<ExportChoice, 'kind' | 'fps' | 'size' | 'people'> {
+/** What the fields hold; numbers as they are typed. */
+interface Fields extends Omit<ExportChoice, 'kind' | 'fps' | 'size' | 'people' | 'from' | 'to'> {
   readonly kind: string;
   readonly fps: string;
   readonly size: string;
   readonly first: string;
   readonly last: string;
+  readonly from: string;
+  readonly to: string;
 }
 
 type Change = (change: Partial<Fields>) => void;
@@ -87,7 +89,7 @@ function Span(props: {
       value={props.values[which]}
       placeholder={props.hint}
       aria-label={`${props.label} ${name}`}
-      onChange={({ currentTarget: { value } }) =>
+      onInput={({ currentTarget: { value } }) =>
         which === 0 ? props.act(value, props.values[1]) : props.act(props.values[0], value)
       }
     />
@@ -156,7 +158,7 @@ export class ExportDialog {
   ) {
     const kind = Object.values(kExportKinds).flat().find(offered_)!.name;
     const look = { fps: '30', size: '1280 × 720', clean: true, sky: true, shadows: true };
-    this.fields_ = { kind, ...look, from: 0, to: 0, groups: [], first: '', last: '' };
+    this.fields_ = { kind, ...look, from: '', to: '', groups: [], first: '', last: '' };
     this.root.addEventListener('close', () => {
       clearTimeout(this.asking_);
       actions_.cancel();
@@ -165,7 +167,7 @@ export class ExportDialog {
   }
 
   get chosen(): ExportChoice {
-    const { fps, size, first, last, kind: name, ...rest } = this.fields_;
+    const { fps, size, first, last, from, to, kind: name, ...rest } = this.fields_;
     const kind = Object.values(kExportKinds)
       .flat()
       .find((one) => one.name === name)!;
@@ -175,13 +177,16 @@ export class ExportDialog {
       kind,
       fps: kind.fps ?? Number(fps),
       size: kFilmSizes[size] ?? [1280, 720],
+      from: Number(from),
+      to: to === '' ? this.range_.end : Number(to),
       people: everybody ? null : [Number(first), last === '' ? 0xffffffff : Number(last)],
     };
   }
 
   open(range: ExportRange): void {
     this.range_ = range;
-    this.fields_ = { ...this.fields_, from: range.from, to: range.to, groups: [], first: '', last: '' };
+    const [from, to] = [String(range.from), String(range.to)];
+    this.fields_ = { ...this.fields_, from, to, groups: [], first: '', last: '' };
     this.said_ = '';
     this.setRunning(false);
     this.change({});
@@ -275,7 +280,6 @@ export class ExportDialog {
   private part(): VNode {
     const { fields_: fields, change, range_: range } = this;
     const { kind } = this.chosen;
-    const seconds = (text: string, otherwise: number): number => (text === '' ? otherwise : Number(text));
     const whole = kind.name === 'picture';
     return (
       <>
@@ -294,8 +298,8 @@ export class ExportDialog {
             label="Seconds"
             hint=""
             step={0.1}
-            values={[String(fields.from), String(fields.to)]}
-            act={(from, to) => change({ from: seconds(from, 0), to: seconds(to, range.end) })}
+            values={[fields.from, fields.to]}
+            act={(from, to) => change({ from, to })}
           />
         )}
       </>
