@@ -254,6 +254,7 @@ const kCases = [
   ['takes: exports', takes.exports, ['desktop'], { scenario: 'scenarios/open.json', release: true }],
   ['exports: of a group and a part', exports.chosenPart, ['desktop', 'phone'], kGroups],
   ['exports: of nobody', exports.nobodyChosen, ['desktop'], kGroups],
+  ['exports: sky and horizon', exports.skyAndHorizon, ['desktop'], kGroups],
   ['exports: people without background', exports.clearPictures, ['desktop', 'portrait'], kGroups],
   ['takes: cut off', takes.cutOff, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
   [

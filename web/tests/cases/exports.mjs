@@ -154,3 +154,33 @@ export async function clearPictures(studio) {
   expect(seen.solid > 0.004, `people are not: ${seen.solid}`);
   expect(seen.soft > 0.001, `shadows and edges are between: ${seen.soft}`);
 }
+
+/** Rows of a picture: mean brightness, and how blue they are. */
+const rowsOf = (studio, png) =>
+  studio.page.evaluate(async (base64) => {
+    const bytes = Uint8Array.from(globalThis.atob(base64), (c) => c.charCodeAt(0));
+    const picture = await globalThis.createImageBitmap(new globalThis.Blob([bytes], { type: 'image/png' }));
+    const canvas = Object.assign(document.createElement('canvas'), { width: 1, height: picture.height });
+    const pen = canvas.getContext('2d');
+    pen.drawImage(picture, 0, 0, 1, picture.height);
+    const { data } = pen.getImageData(0, 0, 1, picture.height);
+    return Array.from({ length: picture.height }, (_, y) => data[4 * y + 2] - data[4 * y]);
+  }, png.toString('base64'));
+
+/** A flat view of a take has a horizon, and a blue sky above it, where that is wanted. */
+export async function skyAndHorizon(studio) {
+  await openExport(studio, 0.6);
+  await studio.page.evaluate(() => globalThis.__muster.view.camera.orbit(0, -2));
+  await choose(studio, 'picture');
+  const sky = (await save(studio)).bytes;
+  await writeFile(new URL(`../../test-results/export-sky-${studio.size}.png`, import.meta.url), sky);
+  await studio.page.locator(`${kDialog} label`, { hasText: 'Sky and horizon' }).locator('input').uncheck();
+  const plain = (await save(studio)).bytes;
+  const [above, none] = [await rowsOf(studio, sky), await rowsOf(studio, plain)];
+  const ground = (rows) => rows.at(-20);
+  expect(above[10] > ground(above) + 15, `the sky is bluer than the ground: ${above[10]}, ${ground(above)}`);
+  expect(Math.abs(none[10] - ground(none)) < 10, `without it all is ground: ${none[10]}, ${ground(none)}`);
+  await studio.page.keyboard.press('Escape');
+  await studio.page.evaluate(() => document.querySelector('.time-close').click());
+  await studio.until('steering again', () => globalThis.__muster.view.camera.pose.pitch > 0.43);
+}

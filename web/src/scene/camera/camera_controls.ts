@@ -43,6 +43,10 @@ export function isPose(value: unknown): value is CameraPose {
   return ['targetX', 'targetY', 'distance', 'turn', 'pitch'].every((key) => Number.isFinite(pose[key]));
 }
 
+/** Least pitch while somebody steers, who needs ground under every finger, and while a take is watched [rad]. */
+export const kSteeredPitch = (25 * Math.PI) / 180;
+export const kWatchedPitch = (7 * Math.PI) / 180;
+
 /** What gestures and keys do with the camera. */
 export interface HandMoves {
   /** Keeps the ground under a finger that moved. */
@@ -53,11 +57,13 @@ export interface HandMoves {
   pinch(before: readonly [ScreenPoint, ScreenPoint], after: readonly [ScreenPoint, ScreenPoint]): void;
   /** Factor above 1 comes nearer; the ground at `at` stays. */
   zoomAt(at: ScreenPoint, factor: number): void;
-  /** Turns about the middle of the view and tilts [rad]; pitch stays within 25 to 85 degrees. */
+  /** Turns about the middle of the view and tilts [rad]; pitch stays within `flattest` and 85 degrees. */
   orbit(turn: number, tilt: number): void;
 }
 
 export interface CameraControls extends HandMoves {
+  /** Least pitch [rad]. */
+  flattest: number;
   readonly pose: Readonly<CameraPose>;
   /** Shows all points between the panels; pitch and turn stay. */
   fit(points: readonly GroundPoint[], padding: Padding): void;

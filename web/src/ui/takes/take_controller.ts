@@ -8,6 +8,7 @@ import type { StudioFrame } from '../../model/studio_frame';
 import type { StudioStore } from '../../model/studio_store';
 import type { TakeActions } from '../../model/take_actions';
 import { kTakeEnd, takeTitle, type OpenTake, type ShelvedTake, type TakeAbout } from '../../model/take_facts';
+import { kSteeredPitch, kWatchedPitch } from '../../scene/camera/camera_controls';
 import type { StudioScene } from '../../scene/studio_scene';
 import { ExportController } from './export_controller';
 import type { ExportGroup } from './export_kinds';
@@ -130,6 +131,7 @@ export class TakeController implements TakeActions {
     if (open && before?.name !== take.name) this.line_.track.setReady(0);
     this.film_.open(open ? take.name : '');
     this.line_.setTake(this.take_, this.titleOf(take));
+    if (open !== (before !== null)) this.tilt(open);
     if (!open) return;
     if (!before) {
       this.live_.say('A take is open');
@@ -138,6 +140,13 @@ export class TakeController implements TakeActions {
     if (this.trims_) requestAnimationFrame(() => this.line_.track.focusFrom());
     this.trims_ = false;
     this.waiting_ = this.waiting_.filter((one) => one.step >= 0 || (one.done(), false));
+  }
+
+  /** What is watched may be seen up to the horizon. */
+  private tilt(watched: boolean): void {
+    const { camera } = this.parts_.view;
+    camera.flattest = watched ? kWatchedPitch : kSteeredPitch;
+    camera.orbit(0, 0);
   }
 
   private titleOf(take: Pick<OpenTake, 'title'>): string {
