@@ -1,8 +1,7 @@
 // The camera's pose, and the projection between screen and ground. It is independent of three.js: the stage copies its
 // pose.
 
-import { kSteeredPitch, type CameraControls, type CameraPose, type GroundSight } from './camera_controls';
-import type { Padding, SeenGround } from './camera_controls';
+import type { CameraControls, CameraPose, GroundSight, Padding, SeenGround } from './camera_controls';
 import { groundMatrix, type Basis } from './ground_matrix';
 import type { GroundPoint, ScreenPoint } from '../../model/plane';
 import type { SceneBox } from '../../protocol/messages';
@@ -10,6 +9,9 @@ import type { SceneBox } from '../../protocol/messages';
 const kDegree = Math.PI / 180;
 /** Field of view from straight above. */
 const kLongLens = 8 * kDegree;
+/** Least while somebody steers, who needs ground under every finger, and while a take is watched. */
+export const kSteeredPitch = 25 * kDegree;
+export const kWatchedPitch = 7 * kDegree;
 const kPitchMax = 85 * kDegree;
 /** Seen from above. */
 const kPitchTop = 89.5 * kDegree;

@@ -43,10 +43,6 @@ export function isPose(value: unknown): value is CameraPose {
   return ['targetX', 'targetY', 'distance', 'turn', 'pitch'].every((key) => Number.isFinite(pose[key]));
 }
 
-/** Least pitch while somebody steers, who needs ground under every finger, and while a take is watched [rad]. */
-export const kSteeredPitch = (25 * Math.PI) / 180;
-export const kWatchedPitch = (7 * Math.PI) / 180;
-
 /** What gestures and keys do with the camera. */
 export interface HandMoves {
   /** Keeps the ground under a finger that moved. */

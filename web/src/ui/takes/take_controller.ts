@@ -8,7 +8,7 @@ import type { StudioFrame } from '../../model/studio_frame';
 import type { StudioStore } from '../../model/studio_store';
 import type { TakeActions } from '../../model/take_actions';
 import { kTakeEnd, takeTitle, type OpenTake, type ShelvedTake, type TakeAbout } from '../../model/take_facts';
-import { kSteeredPitch, kWatchedPitch } from '../../scene/camera/camera_controls';
+import { kSteeredPitch, kWatchedPitch } from '../../scene/camera/camera_controller';
 import type { StudioScene } from '../../scene/studio_scene';
 import { ExportController } from './export_controller';
 import type { ExportGroup } from './export_kinds';
