@@ -27,8 +27,8 @@ std::string plainName(const std::string& title) {
 }
 
 bool hasBodies(const std::string& format) {
-    return format == "glb" || format == "usda" || format == "usdc" || format == "bvh" ||
-           format == "player" || isPlayerPage(format);
+    return format == "glb" || format == "usda" || format == "usdc" || format == "bvh" || format == "player" ||
+           isPlayerPage(format);
 }
 
 bool isFolder(const std::string& format) {

@@ -19,10 +19,10 @@ struct ExportOrder {
     double from = 0.0;   ///< [s]
     double to = -1.0;    ///< [s]; negative: the end.
     double fps = 30.0;
-    bool speeds = true;  ///< With the take's speeds, where the format has bodies in motion.
-    std::vector<std::uint32_t> groups;                     ///< As in ExportDef.
+    bool speeds = true;                 ///< With the take's speeds, where the format has bodies in motion.
+    std::vector<std::uint32_t> groups;  ///< As in ExportDef.
     std::uint32_t firstPerson = 0, lastPerson = 0xffffffffu;  ///< As in ExportDef.
-    bool estimate = false;                                 ///< Only the size is asked for.
+    bool estimate = false;                                    ///< Only the size is asked for.
 };
 
 /// The clips that characters of a scenario move by.
@@ -43,7 +43,8 @@ Result<std::string> exportFileName(const ExportOrder& order);
 /// readTake and exportTake.
 Status writeExport(const ExportOrder& order, const ExportTools& tools, const std::string& path,
                    const std::function<bool(double)>& progress);
-/// What writeExport() will make; `path` is used meanwhile. `goOn` returns false to end it. Fails like writeExport().
+/// What writeExport() will make; `path` is used meanwhile. `goOn` returns false to end it. Fails like
+/// writeExport().
 Result<ExportEstimate> estimateExport(const ExportOrder& order, const ExportTools& tools,
                                       const std::string& path, const std::function<bool()>& goOn);
 

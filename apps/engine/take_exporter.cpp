@@ -26,10 +26,10 @@ Result<std::string> writeFile(const std::string& request, const std::string& pat
     const auto clips = [&](const std::string& name, const WorldDef& def) { return folder.clips(name, def); };
     const ExportTools tools{clips, "/player"};
     if (order->estimate) {
-        const auto told = estimateExport(*order, tools, path, [] { return true; });
-        if (!told.ok()) return told.status();
-        const Status wrote = writeTextFile(
-            path, compactJson({{"bytes", told->bytes}, {"people", told->people}}));
+        const auto known = estimateExport(*order, tools, path, [] { return true; });
+        if (!known.ok()) return known.status();
+        const Status wrote = writeTextFile(path,
+                                           compactJson({{"bytes", known->bytes}, {"people", known->people}}));
         return wrote.ok() ? Result<std::string>(std::string("estimate")) : wrote;
     }
     const Status status = writeExport(*order, tools, path, [](double share) {

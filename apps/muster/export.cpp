@@ -106,11 +106,11 @@ int tellSize(const ExportOptions& options, const Take& take, const ExportDef& pa
     std::string folder = (std::filesystem::temp_directory_path(ignored) / "muster-estimate-XXXXXX").string();
     if (mkdtemp(folder.data()) == nullptr)
         return reportFailure({StatusCode::IoError, folder + ": cannot be made"});
-    const auto told = estimateExport(take, options.format, part, folder + "/part", write);
+    const auto known = estimateExport(take, options.format, part, folder + "/part", write);
     std::filesystem::remove_all(folder, ignored);
-    if (!told.ok()) return reportFailure(told.status());
-    std::printf("about %s: %zu %s, %zu moments\n", sizeText(told->bytes).c_str(), told->people,
-                told->people == 1 ? "person" : "people", told->frames);
+    if (!known.ok()) return reportFailure(known.status());
+    std::printf("about %s: %zu %s, %zu moments\n", sizeText(known->bytes).c_str(), known->people,
+                known->people == 1 ? "person" : "people", known->frames);
     return kExitOk;
 }
 

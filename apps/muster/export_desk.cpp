@@ -130,14 +130,14 @@ void ExportDesk::make(const std::shared_ptr<Job>& job) {
 }
 
 Status ExportDesk::estimate(const std::shared_ptr<Job>& job, const std::string& path) {
-    const auto told = estimateExport(job->order, tools_, path, [&] {
+    const auto known = estimateExport(job->order, tools_, path, [&] {
         const std::lock_guard lock(mutex_);
         return !job->cancelled;
     });
-    if (!told.ok()) return told.status();
+    if (!known.ok()) return known.status();
     const std::lock_guard lock(mutex_);
-    job->report.bytes = static_cast<std::uint64_t>(told->bytes);
-    job->report.people = told->people;
+    job->report.bytes = static_cast<std::uint64_t>(known->bytes);
+    job->report.people = known->people;
     return {};
 }
 

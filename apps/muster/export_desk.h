@@ -18,10 +18,10 @@ enum class ExportState { Waiting, Running, Done, Failed };
 /// How far an export is.
 struct ExportReport {
     ExportState state = ExportState::Waiting;
-    double share = 0.0;    ///< Done, 0 to 1.
-    std::string problem;   ///< Why it failed.
-    std::string fileName;  ///< For saving.
-    std::string path;      ///< Of the finished file.
+    double share = 0.0;       ///< Done, 0 to 1.
+    std::string problem;      ///< Why it failed.
+    std::string fileName;     ///< For saving.
+    std::string path;         ///< Of the finished file.
     std::uint64_t bytes = 0;  ///< Of the file, or what an estimate says.
     std::size_t people = 0;   ///< What an estimate says.
 };

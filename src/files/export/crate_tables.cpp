@@ -53,7 +53,7 @@ std::string crateNumbers(std::span<const std::uint32_t> numbers) {
     std::string codes((steps.size() * 2 + 7) / 8, '\0'), values, out;
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const std::int32_t step = steps[i];
-        const int code = step == common                     ? 0
+        const int code = step == common                            ? 0
                          : step == static_cast<std::int8_t>(step)  ? 1
                          : step == static_cast<std::int16_t>(step) ? 2
                                                                    : 3;
@@ -112,8 +112,8 @@ void CrateTables::spec(std::uint32_t path, CrateSpec kind,
     specKinds_.push_back(static_cast<std::uint32_t>(kind));
     for (const auto& [name, value] : fields) {
         const std::uint32_t number = word(name);
-        const auto [found, fresh] = fieldNumbers_.try_emplace(
-            {number, value}, static_cast<std::uint32_t>(fieldWords_.size()));
+        const auto [found, fresh] = fieldNumbers_.try_emplace({number, value},
+                                                              static_cast<std::uint32_t>(fieldWords_.size()));
         if (fresh) fieldWords_.push_back(number), fieldValues_.push_back(value);
         fieldSets_.push_back(found->second);
     }
@@ -160,8 +160,10 @@ std::vector<std::uint32_t> CrateTables::jumps() const {
     for (std::uint32_t i = 1; i < paths_.size(); ++i) {
         const std::uint32_t parent = paths_[i].parent, before = newest[parent];
         newest[parent] = i;
-        if (before == 0) jumps[parent] = kOnlyChild;
-        else jumps[before] = newest[before] == 0 ? 0 : static_cast<std::int32_t>(i - before);
+        if (before == 0)
+            jumps[parent] = kOnlyChild;
+        else
+            jumps[before] = newest[before] == 0 ? 0 : static_cast<std::int32_t>(i - before);
     }
     // A path with something below and something beside it has got the distance.
     return {jumps.begin(), jumps.end()};
@@ -187,7 +189,7 @@ std::string CrateTables::specTable() const {
 Result<std::uint64_t> CrateTables::write(OutputFile& file) const {
     std::string list;
     const std::pair<const char*, std::string> tables[] = {
-        {"TOKENS", wordTable()},       {"STRINGS", stringTable()}, {"FIELDS", fieldTable()},
+        {"TOKENS", wordTable()},        {"STRINGS", stringTable()}, {"FIELDS", fieldTable()},
         {"FIELDSETS", fieldSetTable()}, {"PATHS", pathTable()},     {"SPECS", specTable()}};
     crateWord(std::size(tables), 8, list);
     for (const auto& [name, bytes] : tables) {

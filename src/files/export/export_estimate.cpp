@@ -12,14 +12,14 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Records (characters in all frames together) of a sample that is made.
-constexpr double kFewRecords = 4000.0;   ///< Of formats that write each in the same number of bytes.
+constexpr double kFewRecords = 4000.0;    ///< Of formats that write each in the same number of bytes.
 constexpr double kManyRecords = 40000.0;  ///< Of formats whose records differ.
 constexpr double kMostMoves = 200000.0;   ///< Characters in all simulated steps together, of one sample.
 
 /// How the size of a file grows.
 struct Growth {
-    bool waits = false;    ///< A character has a record in every frame, also while it is away.
-    bool uneven = false;   ///< Records differ: of what has changed, or in pages of a database.
+    bool waits = false;   ///< A character has a record in every frame, also while it is away.
+    bool uneven = false;  ///< Records differ: of what has changed, or in pages of a database.
 };
 
 Growth growthOf(std::string_view format) {
@@ -46,7 +46,8 @@ public:
         for (const ExportCharacter& c : chosen) start_.push_back(c.id);
         newest_ = view.size() > 0 ? view.id.back() : 0;
         // Of those who come later nobody knows the group.
-        if (!def.groups.empty()) later_ = static_cast<double>(start_.size()) / static_cast<double>(view.size());
+        if (!def.groups.empty())
+            later_ = static_cast<double>(start_.size()) / static_cast<double>(view.size());
     }
 
     Attendance of(const Take& take, std::span<const double> times) {

@@ -74,8 +74,8 @@ public:
     virtual Status finish() = 0;
 };
 
-/// The times of an export's frames in the take [s]; `def.to` becomes the time of the end where it is negative.
-/// Fails with InvalidArgument, naming what does not fit the take.
+/// The times of an export's frames in the take [s]; `def.to` becomes the time of the end where it is
+/// negative. Fails with InvalidArgument, naming what does not fit the take.
 Result<std::vector<double>> exportTimes(const Take& take, ExportDef& def);
 
 /// Replays `take` with the clips of `library` and passes its frames to `exporter`. Positions and poses

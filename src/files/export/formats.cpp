@@ -21,8 +21,8 @@ constexpr std::array kFormats{
 /// Functions that make an exporter for a path, in the order of kFormats.
 using MakeExporter = std::unique_ptr<Exporter> (*)(const std::string&);
 constexpr std::array<MakeExporter, kFormats.size()> kMakers{
-    makeGltfExporter,     makeUsdExporter,   makeUsdCrateExporter, makeBvhExporter,    makeJointListExporter,
-    makeCsvExporter, makeJupedsimExporter, makePedpyExporter, makePlayerExporter,
+    makeGltfExporter, makeUsdExporter,      makeUsdCrateExporter, makeBvhExporter,    makeJointListExporter,
+    makeCsvExporter,  makeJupedsimExporter, makePedpyExporter,    makePlayerExporter,
 };
 
 }  // namespace

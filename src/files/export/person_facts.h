@@ -10,9 +10,9 @@ namespace muster {
 
 /// Facts of one character in one frame.
 struct PersonFacts {
-    std::uint32_t group = 0;  ///< Id of its group; 0 where the character has just left.
-    int motion = -1;          ///< Index into the world's clips; -1 where it has just left.
-    std::uint32_t goal = 0;   ///< Id of the exit or waiting area that it goes to; 0 for none.
+    std::uint32_t group = 0;     ///< Id of its group; 0 where the character has just left.
+    int motion = -1;             ///< Index into the world's clips; -1 where it has just left.
+    std::uint32_t goal = 0;      ///< Id of the exit or waiting area that it goes to; 0 for none.
     std::string_view groupName;  ///< Of its group, while the world stands.
     double speed = 0.0;          ///< [m/s]
 };

@@ -22,15 +22,21 @@ std::uint16_t halfOf(double value) {
     const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
     const auto exponent = static_cast<int>(bits >> 23 & 255u) - 112;
     const std::uint32_t sign = bits >> 16 & 0x8000u;
-    const std::uint32_t rest = exponent <= 0 ? 0 : static_cast<std::uint32_t>(exponent) << 10 | (bits >> 13 & 1023u);
+    const std::uint32_t rest = exponent <= 0
+                                   ? 0
+                                   : static_cast<std::uint32_t>(exponent) << 10 | (bits >> 13 & 1023u);
     return static_cast<std::uint16_t>(sign | rest);
 }
 
 void putNumber(const UsdType& type, double value, std::string& out) {
-    if (type.bytes == 8) crateWord(std::bit_cast<std::uint64_t>(value), 8, out);
-    else if (type.bytes == 2) crateWord(halfOf(value), 2, out);
-    else if (type.code == kInt) crateWord(static_cast<std::uint32_t>(static_cast<std::int32_t>(value)), 4, out);
-    else crateWord(std::bit_cast<std::uint32_t>(static_cast<float>(value)), 4, out);
+    if (type.bytes == 8)
+        crateWord(std::bit_cast<std::uint64_t>(value), 8, out);
+    else if (type.bytes == 2)
+        crateWord(halfOf(value), 2, out);
+    else if (type.code == kInt)
+        crateWord(static_cast<std::uint32_t>(static_cast<std::int32_t>(value)), 4, out);
+    else
+        crateWord(std::bit_cast<std::uint32_t>(static_cast<float>(value)), 4, out);
 }
 
 /// Numbers as the file has them: of rotations w comes last.
@@ -165,14 +171,14 @@ private:
     CrateValue valueOf(const UsdValue& value) {
         const UsdType& type = usdType(value.type);
         const bool array = isUsdArray(value.type);
-        if (!value.words.empty())
-            return array ? tokens(kToken, value.words, true) : token(value.words[0]);
+        if (!value.words.empty()) return array ? tokens(kToken, value.words, true) : token(value.words[0]);
         std::string bytes;
         if (array) crateWord(value.numbers.size() / type.numbers, 8, bytes);
         putNumbers(type, value.numbers, bytes);
         if (array || !isInline(type)) return store(type.code, bytes, array);
         std::uint32_t word = 0;
-        for (std::size_t i = 0; i < 4; ++i) word |= std::uint32_t{static_cast<std::uint8_t>(bytes[i])} << (8 * i);
+        for (std::size_t i = 0; i < 4; ++i)
+            word |= std::uint32_t{static_cast<std::uint8_t>(bytes[i])} << (8 * i);
         return crateInline(type.code, word);
     }
 

@@ -42,11 +42,11 @@ struct UsdPrim {
 
 /// How the elements of a type are written.
 struct UsdType {
-    const char* name;       ///< Without "[]".
-    std::uint8_t code;      ///< In binary files.
-    std::size_t numbers;    ///< Of one element; 0 for words.
-    std::size_t bytes;      ///< Of one number in binary files.
-    int width, decimals;    ///< Columns of a number in lists of samples of text files.
+    const char* name;     ///< Without "[]".
+    std::uint8_t code;    ///< In binary files.
+    std::size_t numbers;  ///< Of one element; 0 for words.
+    std::size_t bytes;    ///< Of one number in binary files.
+    int width, decimals;  ///< Columns of a number in lists of samples of text files.
 };
 /// The type of that name, with or without "[]".
 const UsdType& usdType(const std::string& name);

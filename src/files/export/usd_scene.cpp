@@ -94,7 +94,8 @@ UsdPrim subset(const BodyMesh& mesh, std::size_t region) {
         faces.push_back(t);
     UsdPrim prim{.type = "GeomSubset", .name = bodyRegionName(static_cast<BodyRegion>(region))};
     prim.schema = "MaterialBindingAPI";
-    prim.properties = {fixed("elementType", word("face")), fixed("familyName", word("materialBind")),
+    prim.properties = {fixed("elementType", word("face")),
+                       fixed("familyName", word("materialBind")),
                        {"indices", numbers("int[]", faces)}};
     return prim;
 }
@@ -116,14 +117,13 @@ UsdPrim body(BodyKind kind) {
     UsdProperty places{"primvars:skel:jointIndices", numbers("int[]", joints)};
     UsdProperty shares{"primvars:skel:jointWeights", numbers("float[]", weights)};
     for (UsdProperty* four : {&places, &shares}) four->elementSize = 4, four->interpolation = "vertex";
-    prim.properties.insert(
-        prim.properties.end(),
-        {{"primvars:skel:geomBindTransform",
-          {"matrix4d", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, {}}},
-         places,
-         shares,
-         related("skel:skeleton", "/World/Bodies/Skeleton"),
-         fixed("subsetFamily:materialBind:familyType", word("partition"))});
+    prim.properties.insert(prim.properties.end(),
+                           {{"primvars:skel:geomBindTransform",
+                             {"matrix4d", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, {}}},
+                            places,
+                            shares,
+                            related("skel:skeleton", "/World/Bodies/Skeleton"),
+                            fixed("subsetFamily:materialBind:familyType", word("partition"))});
     for (std::size_t r = 0; r < kBodyRegionCount; ++r)
         if (mesh.regionBegin[r] < mesh.regionBegin[r + 1]) prim.children.push_back(subset(mesh, r));
     return prim;

@@ -33,16 +33,20 @@ private:
         const std::size_t row = numbers.size() == 16 ? 4 : numbers.size();
         if (row < numbers.size()) text_ += "( ";
         for (std::size_t k = 0; k < numbers.size(); ++k) {
-            if (k % row == 0) text_ += k == 0 ? "(" : ", (";
-            else text_ += fixed_ ? "," : ", ";
+            if (k % row == 0)
+                text_ += k == 0 ? "(" : ", (";
+            else
+                text_ += fixed_ ? "," : ", ";
             number(numbers[k]);
             if (k % row == row - 1) text_ += ')';
         }
         if (row < numbers.size()) text_ += " )";
     }
     void number(double value) {
-        if (fixed_) usdFixed(value, type_.width, type_.decimals, text_);
-        else text_ += usdNumber(value);
+        if (fixed_)
+            usdFixed(value, type_.width, type_.decimals, text_);
+        else
+            text_ += usdNumber(value);
     }
 
     const UsdType& type_;
@@ -68,11 +72,12 @@ public:
         pace_ = pace;
         if (Status s = file_.open(path); !s.ok()) return s;
         const std::string fps = usdNumber(pace.fps);
-        return file_.write("#usda 1.0\n(\n    defaultPrim = \"World\"\n    doc = \"Written by Muster\"\n"
-                           "    endTimeCode = " +
-                           std::to_string(pace.frames - 1) + "\n    framesPerSecond = " + fps +
-                           "\n    metersPerUnit = 1\n    startTimeCode = 0\n    timeCodesPerSecond = " + fps +
-                           "\n    upAxis = \"Z\"\n)\n\ndef Xform \"World\"\n{\n");
+        return file_.write(
+            "#usda 1.0\n(\n    defaultPrim = \"World\"\n    doc = \"Written by Muster\"\n"
+            "    endTimeCode = " +
+            std::to_string(pace.frames - 1) + "\n    framesPerSecond = " + fps +
+            "\n    metersPerUnit = 1\n    startTimeCode = 0\n    timeCodesPerSecond = " + fps +
+            "\n    upAxis = \"Z\"\n)\n\ndef Xform \"World\"\n{\n");
     }
 
     Status add(const UsdPrim& prim) override {

@@ -4,11 +4,11 @@
 #include <sstream>
 
 #include "base/text_file.h"
+#include "files/export/character_look.h"
+#include "files/export/crate_tables.h"
 #include "files/export/formats.h"
 #include "files/export/pretend_take.h"
 #include "files/export/scene_mesh.h"
-#include "files/export/character_look.h"
-#include "files/export/crate_tables.h"
 #include "files/export/usd_text.h"
 
 using namespace muster;
@@ -229,7 +229,7 @@ std::vector<std::uint32_t> numbersIn(const std::string& packed, std::size_t coun
 TEST_CASE("numbers of binary USD are packed by their differences") {
     for (const std::size_t size : {0, 3, 14, 15, 269, 270, 600})
         CHECK(unpacked(crateBytes(std::string(size, 'x'))) == std::string(size, 'x'));
-    const std::vector<std::uint32_t> numbers{0,  1,    2,          3,  4,  100,        99,
+    const std::vector<std::uint32_t> numbers{0,     1, 2,           3, 4, 100,         99,
                                              40000, 5, 0xffffffffu, 7, 8, 0x80000000u, 6};
     CHECK(numbersIn(crateNumbers(numbers), numbers.size()) == numbers);
 }
