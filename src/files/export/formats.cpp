@@ -9,7 +9,7 @@ namespace {
 constexpr std::array kFormats{
     ExportFormat{"glb", ".glb", "one binary glTF file: bodies in motion on their ground, and a camera"},
     ExportFormat{"usda", ".usda", "one USD text file with the same"},
-    ExportFormat{"usdc", ".usdc", "the same as binary USD, a third as large"},
+    ExportFormat{"usdc", ".usdc", "the same as binary USD, less than half as large"},
     ExportFormat{"bvh", "-bvh", "a folder with one BVH file per character"},
     ExportFormat{"joints", "-joints.json", "where all joints are, as JSON"},
     ExportFormat{"csv", ".csv", "a table: who was where, how fast and in which motion"},
