@@ -10,6 +10,7 @@ import * as camera from './cases/camera.mjs';
 import * as directors from './cases/directors.mjs';
 import * as darkWalls from './cases/dark_walls.mjs';
 import * as demonstration from './cases/demonstration.mjs';
+import * as exports from './cases/exports.mjs';
 import * as feedback from './cases/feedback.mjs';
 import * as film from './cases/film_camera.mjs';
 import * as findings from './cases/findings.mjs';
@@ -48,6 +49,7 @@ import { kPort, startStudio } from './support/server.mjs';
 import { StudioPage } from './support/studio_page.mjs';
 
 const kOpen = { scenario: 'scenarios/open.json', room: true };
+const kGroups = { scenario: 'web/tests/scenarios/two-groups.json' };
 const kTwo = { touch: false, scenario: 'web/tests/scenarios/two-groups.json', room: true };
 const kTablets = ['desktop', 'landscape', 'portrait'];
 
@@ -262,6 +264,10 @@ const kCases = [
   ['paths: one person', paths.single, ['landscape', 'phone'], { scenario: 'scenarios/open.json' }],
   ['takes: of another version', oldTakes.oldTake, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
   ['takes: exports', takes.exports, ['desktop'], { scenario: 'scenarios/open.json', release: true }],
+  ['exports: of a group and a part', exports.chosenPart, ['desktop', 'phone'], kGroups],
+  ['exports: of nobody', exports.nobodyChosen, ['desktop'], kGroups],
+  ['exports: sky and horizon', exports.skyAndHorizon, ['desktop'], kGroups],
+  ['exports: people without background', exports.clearPictures, ['desktop', 'portrait'], kGroups],
   ['takes: cut off', takes.cutOff, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
   [
     'place files: save and open',

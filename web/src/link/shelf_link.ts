@@ -10,6 +10,8 @@ export interface ExportProgress {
   readonly share: number;
   readonly file: string;
   readonly bytes: number;
+  /** Of an estimate. */
+  readonly people?: number;
   readonly problem?: string;
 }
 
@@ -21,6 +23,12 @@ export interface ExportWish {
   readonly to: number;
   readonly fps: number;
   readonly speeds: boolean;
+  /** Ids; left out: all. */
+  readonly groups?: readonly number[];
+  /** First and last number; left out: all. */
+  readonly people?: readonly [number, number];
+  /** Only the size is asked for. */
+  readonly estimate?: boolean;
 }
 
 const jsonOf = (value: unknown): RequestInit => ({

@@ -267,11 +267,16 @@ export async function exports(studio) {
   const report = await validator.validateBytes(new Uint8Array(glb.bytes));
   expect(report.issues.numErrors === 0, `the GLB is valid: ${JSON.stringify(report.issues.messages.slice(0, 3))}`);
   expect(report.info.animationCount > 0, 'the GLB moves');
-  const bvh = await exportOf(studio, 'bvh', { 'Pictures a second': '24' });
+  const bvh = await exportOf(studio, 'bvh', { 'Frames a second': '24' });
   expect(bvh.bytes.subarray(0, 4).toString('latin1') === 'PK\u0003\u0004', 'the BVH files come in a ZIP');
   expect(bvh.bytes.includes('HIERARCHY') && bvh.name.endsWith('-bvh.zip'), bvh.name);
   const usd = await exportOf(studio, 'usda');
   expect(usd.bytes.subarray(0, 5).toString() === '#usda', 'USD');
+  const binary = await exportOf(studio, 'usdc');
+  expect(
+    binary.bytes.subarray(0, 8).toString() === 'PXR-USDC' && binary.bytes.length < usd.bytes.length / 2,
+    'binary USD',
+  );
   const pedpy = await exportOf(studio, 'pedpy');
   expect(/^#/.test(pedpy.bytes.toString()), 'PedPy');
   const jupedsim = await exportOf(studio, 'jupedsim');
@@ -294,7 +299,7 @@ export async function exports(studio) {
     expect(to - from < 20, `a short part: ${from} to ${to}`);
   });
   if ((await studio.page.locator('.export-dialog input[value="film"]').count()) === 0) return;
-  const film = await exportOf(studio, 'film', { 'Pictures a second': '24' });
+  const film = await exportOf(studio, 'film', { 'Frames a second': '24' });
   console.log(`measured: ${film.name}, ${film.bytes.length} bytes, made in ${film.ms} ms`);
   const played = await studio.page.evaluate(
     async ([base64, type]) => {

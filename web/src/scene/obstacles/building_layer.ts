@@ -102,6 +102,13 @@ export class BuildingLayer {
     return changes;
   }
 
+  /** Makes all opaque at once. */
+  solidify(): void {
+    for (const one of this.buildings_) one.solid = one.wanted = 1;
+    (this.share_.array as Float32Array).fill(1);
+    this.share_.needsUpdate = true;
+  }
+
   clear(): void {
     for (const mesh of this.group.children) if (mesh instanceof Mesh) (mesh as Mesh<BufferGeometry>).geometry.dispose();
     this.group.clear();

@@ -8,8 +8,10 @@ import type { StudioFrame } from '../../model/studio_frame';
 import type { StudioStore } from '../../model/studio_store';
 import type { TakeActions } from '../../model/take_actions';
 import { kTakeEnd, takeTitle, type OpenTake, type ShelvedTake, type TakeAbout } from '../../model/take_facts';
+import { kSteeredPitch, kWatchedPitch } from '../../scene/camera/camera_controller';
 import type { StudioScene } from '../../scene/studio_scene';
 import { ExportController } from './export_controller';
+import type { ExportGroup } from './export_kinds';
 import { FilmCameraController } from './film_camera_controller';
 import { TakeCard, type CardKind } from './take_card';
 import { TakeShelf } from './take_shelf';
@@ -19,6 +21,7 @@ import { Scrubber } from './scrubber';
 import { save } from '../../link/answers';
 import { ShelfLink, pictureAddress, takeAddress } from '../../link/shelf_link';
 import { scenarioBehind } from '../../model/scenario_behind';
+import { markSeen, seenTakes } from './seen_takes';
 import { TakeCopies, isCopyOnly, withCopies } from './take_copies';
 import { openTake } from './takes';
 import { element } from '../widgets/dom';
@@ -33,8 +36,6 @@ const kPictureEvery = 3000;
 const kPictureWait = 1500;
 /** How long a picture blends towards a frame that has come [ms]. */
 const kSettle = 90;
-/** Cut off recordings that the visitor has seen. */
-const kSeenKey = 'muster.cutoff';
 
 export interface TakeControllerParts {
   readonly client: StudioClient;
@@ -130,6 +131,7 @@ export class TakeController implements TakeActions {
     if (open && before?.name !== take.name) this.line_.track.setReady(0);
     this.film_.open(open ? take.name : '');
     this.line_.setTake(this.take_, this.titleOf(take));
+    if (open !== (before !== null)) this.tilt(open);
     if (!open) return;
     if (!before) {
       this.live_.say('A take is open');
@@ -138,6 +140,13 @@ export class TakeController implements TakeActions {
     if (this.trims_) requestAnimationFrame(() => this.line_.track.focusFrom());
     this.trims_ = false;
     this.waiting_ = this.waiting_.filter((one) => one.step >= 0 || (one.done(), false));
+  }
+
+  /** What is watched may be seen up to the horizon. */
+  private tilt(watched: boolean): void {
+    const { camera } = this.parts_.view;
+    camera.flattest = watched ? kWatchedPitch : kSteeredPitch;
+    camera.orbit(0, 0);
   }
 
   private titleOf(take: Pick<OpenTake, 'title'>): string {
@@ -225,8 +234,13 @@ export class TakeController implements TakeActions {
     const listed = this.takes_.find((one) => one.name === name) ?? this.card_.take;
     const take = this.take_;
     if (take && (name === undefined || name === take.name))
-      return this.exports.open({ ...take, title: this.titleOf(take) });
-    if (listed) this.exports.open({ ...listed, title: takeTitle(listed) });
+      return this.exports.open({ ...take, title: this.titleOf(take), groups: this.groups() });
+    if (listed) this.exports.open({ ...listed, title: takeTitle(listed), groups: [] });
+  }
+
+  /** Of the shown moment. */
+  private groups(): readonly ExportGroup[] {
+    return this.parts_.store.state.groups.map(({ id, name }) => ({ id, name: name || `Group ${id}` }));
   }
 
   // The shelf.
@@ -307,7 +321,7 @@ export class TakeController implements TakeActions {
 
   closeCard(): void {
     const { take } = this.card_;
-    if (take && !take.finished) this.markSeen(take.name);
+    if (take && !take.finished) markSeen(take.name);
     this.card_.close();
   }
 
@@ -374,27 +388,11 @@ export class TakeController implements TakeActions {
     } catch {
       return;
     }
-    const found = this.takes_.find((take) => !take.finished && !take.recording && !this.seen().includes(take.name));
+    const found = this.takes_.find((take) => !take.finished && !take.recording && !seenTakes().includes(take.name));
     if (!found) return;
     // Once: it lies on the shelf.
-    this.markSeen(found.name);
+    markSeen(found.name);
     this.showCard(found, 'cut off');
     this.live_.say('A recording was cut off, and is safe');
-  }
-
-  private seen(): readonly string[] {
-    try {
-      return JSON.parse(window.localStorage.getItem(kSeenKey) ?? '[]') as string[];
-    } catch {
-      return [];
-    }
-  }
-
-  private markSeen(name: string): void {
-    try {
-      window.localStorage.setItem(kSeenKey, JSON.stringify([...this.seen(), name].slice(-50)));
-    } catch {
-      // Without storage it is offered again.
-    }
   }
 }
