@@ -225,6 +225,13 @@ const kCases = [
     { scenario: 'web/tests/scenarios/two-groups.json', room: true },
   ],
   [
+    'directors: clock',
+    directors.sharedClock,
+    ['desktop', 'phone'],
+    { scenario: 'web/tests/scenarios/two-groups.json' },
+  ],
+  ['directors: place', directors.sharedPlace, ['desktop', 'phone'], { scenario: 'scenarios/market.json' }],
+  [
     'directors: invitation',
     directors.invitation,
     ['desktop', 'portrait', 'phone'],
@@ -282,6 +289,18 @@ const kCases = [
     placeFiles.autosave,
     ['desktop', 'phone'],
     { touch: false, scenario: 'scenarios/open.json' },
+  ],
+  [
+    'place files: kept by name',
+    placeFiles.keptByName,
+    ['desktop', 'phone'],
+    { touch: false, scenario: 'scenarios/open.json' },
+  ],
+  [
+    'place files: shared by network',
+    placeFiles.sharedByNetwork,
+    ['desktop', 'phone'],
+    { scenario: 'scenarios/open.json', options: ['--lan', '--site', 'https://example.org/crowd/'] },
   ],
   ['a page that hangs', session.stalledPage, ['desktop'], {}],
   ['first visit', look.firstVisit, [...kTablets, 'phone', 'narrow'], { hint: true, everySize: true }],

@@ -44,7 +44,7 @@ export const kPartLayouts: Readonly<Record<string, string>> = {
 export const kClientLayouts: readonly (readonly [string, string])[] = [
   ['Hello', 'name:text'],
   ['Touches', 'events:TouchEvent*'],
-  ['Playback', 'action:<5'],
+  ['Playback', 'action:<6'],
   ['SetSpeed', 'factor:f32'],
   ['LoadScenario', 'name:text'],
   ['Record', 'on:bool'],
@@ -71,6 +71,10 @@ export const kClientLayouts: readonly (readonly [string, string])[] = [
   ['DoInStudy', 'act:<4'],
   ['AskPlaces', 'number:u32 asks:PlacesAsk*'],
   ['WatchStages', 'on:bool'],
+  ['AskOthers', 'request:text'],
+  ['AnswerAsk', 'number:u32 allow:bool'],
+  ['Build', 'on:bool'],
+  ['KeepPlace', 'title:text'],
 ];
 
 // prettier-ignore
@@ -96,4 +100,9 @@ export const kServerLayouts: readonly (readonly [string, string])[] = [
   ['StudyState', 'stage:<8 token:text run:u32 test:bool trial:u32 trials:u32 practice:bool environment:text environmentText:text scheme:text schemeTitle:text schemeText:text touch:bool mesh:bool items:u32 limit:f64 least:f64 mmPerPixel:f64 ended:<5 seconds:f64 collected:u32'],
   ['Places', 'number:u32 answers:PlacesFrame*'],
   ['StageTimes', 'step:u32 total:f32 stages:StageFrame*'],
+  ['SharedWorld', 'pausedBy:u32 builders:u32s change:<5 changedBy:u32 changer:text before:text'],
+  ['Ask', 'number:u32 client:u32 request:text seconds:f32'],
+  ['AskAnswered', 'allowed:bool client:u32'],
+  ['Scenarios', 'scenarios:ScenarioInfo*'],
+  ['PlaceKept', 'title:text name:text problem:text'],
 ];
