@@ -71,7 +71,7 @@ export async function saveAndOpen(studio, server) {
   await serious(studio, 'dialog for saving a place');
   await fits(studio, 'saving');
   await studio.shot('place-save');
-  await dialog.locator('button', { hasText: 'Save in this browser' }).click();
+  await dialog.locator('#place-save button[type=submit]').click();
   await studio.eventually(async () =>
     expect(/“My square” is saved/.test(await dialog.textContent()), 'the place is saved'),
   );
@@ -432,7 +432,6 @@ export async function keptByName(studio, server) {
   await studio.until('another place', () => globalThis.__muster.state.scenario === 'open');
   await studio.send({ type: 'Edit', label: 'Wall', gesture: 0, commands: [wallAt(7)], bodies: [] });
   await studio.until('its copy', () => localStorage.getItem('muster.autosave') === 'Open square', null, 8000);
-  await studio.page.goto('about:blank');
   await studio.page.goto(link);
   await studio.until('the place of the link', () => globalThis.__muster?.state?.scenario === 'places/my-yard');
   server.kill();
