@@ -67,14 +67,17 @@ class ShareDialog {
             <Icon name="close" />
           </button>
         </header>
-        {this.row('Link', link)}
-        <p class="secondary">{here ? kOnlyHere : kOthers}</p>
-        {site !== '' && this.row('Link to your site', site)}
-        {site !== '' && <p class="secondary">{kSite}</p>}
-        {code.length > 0 && <Held key="code" make={() => qrPicture(code)} />}
-        <p class="share-said" role="status">
-          {this.said_}
-        </p>
+        <div class="share-body">
+          {this.row('Link', link)}
+          <p class="secondary">{here ? kOnlyHere : kOthers}</p>
+          {code.length > 0 && !here && <Held key="code" make={() => qrPicture(code)} />}
+          {site !== '' && this.row('Link to your site', site)}
+          {site !== '' && <p class="secondary">{kSite}</p>}
+          {code.length > 0 && here && <Held key="code" make={() => qrPicture(code)} />}
+          <p class="share-said" role="status">
+            {this.said_}
+          </p>
+        </div>
       </>,
       this.root,
     );
