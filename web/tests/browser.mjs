@@ -23,6 +23,7 @@ import * as objectives from './cases/objectives.mjs';
 import * as orders from './cases/orders.mjs';
 import * as overlays from './cases/overlays.mjs';
 import * as placeFiles from './cases/place_files.mjs';
+import * as placeShare from './cases/place_share.mjs';
 import * as people from './cases/people.mjs';
 import * as queue from './cases/queue.mjs';
 import * as reach from './cases/reach.mjs';
@@ -292,13 +293,13 @@ const kCases = [
   ],
   [
     'place files: kept by name',
-    placeFiles.keptByName,
+    placeShare.keptByName,
     ['desktop', 'phone'],
     { touch: false, scenario: 'scenarios/open.json' },
   ],
   [
     'place files: shared by network',
-    placeFiles.sharedByNetwork,
+    placeShare.sharedByNetwork,
     ['desktop', 'phone'],
     { scenario: 'scenarios/open.json', options: ['--lan', '--site', 'https://example.org/crowd/'] },
   ],

@@ -126,11 +126,11 @@ export async function sharedClock(studio) {
     await studio.shot('shared-paused');
     await banner(studio, 'Ada paused.').locator('button', { hasText: 'Play' }).click();
     await playing(ada, true);
-    await ada.page.evaluate(() => dispatchEvent(new KeyboardEvent('keydown', { key: 'E', shiftKey: true })));
+    await ada.page.keyboard.press('Shift+E');
     await banner(studio, 'Ada is building; the world waits.').waitFor();
     await studio.shot('shared-building');
     await playing(studio, false);
-    await ada.page.evaluate(() => dispatchEvent(new KeyboardEvent('keydown', { key: 'E', shiftKey: true })));
+    await ada.page.keyboard.press('Shift+E');
     await playing(studio, true);
     await banner(studio, 'building').waitFor({ state: 'hidden' });
   } finally {

@@ -14,10 +14,11 @@ export function openLinksLazily({ client, store }: { client: StudioClient; store
   const failed = (error: unknown): void =>
     store.set({ notice: problem('link', error instanceof Error ? error.message : String(error)) });
   const openTake = async (name: string): Promise<void> => {
-    const { ShelfLink } = await import('../../link/shelf_link');
-    const found = (await new ShelfLink().list()).find((one) => one.name === name);
+    const module = await import('../../link/shelf_link');
+    const shelf = new module.ShelfLink();
+    const found = (await shelf.list()).find((one) => one.name === name);
     if (!found) throw new Error('The take of this link is not here any more.');
-    const open = (): void => void new ShelfLink().open(name).catch(failed);
+    const open = (): void => void shelf.open(name).catch(failed);
     whenAllowed(store, takeOpeningOf(found.title || found.scenario), open);
   };
   const openWhole = async (hash: string): Promise<void> => {
