@@ -1,8 +1,9 @@
 // A place keeps its name on the server, and is shared by links.
+import { serious } from './look.mjs';
 import { expect } from '../support/expect.mjs';
 import { startStudio } from '../support/server.mjs';
 import { StudioPage } from '../support/studio_page.mjs';
-import { dialogOf, openPlaces, present, reload, serious } from './place_files.mjs';
+import { dialogOf, openPlaces, present, reload } from './place_files.mjs';
 
 const nameOf = (studio) => studio.page.locator('.scenario-button .title').textContent();
 
