@@ -279,7 +279,7 @@ TEST_CASE("What is directed again has a title of its own") {
     CHECK(nextTitle(", 2", {}) == ", 2, 2");
 }
 
-TEST_CASE("The end of a take is told once") {
+TEST_CASE("The end of a take is said once") {
     TwoDirectors two;
     two.pass(1.0);
     const auto bytes = two.session.take();
