@@ -265,13 +265,6 @@ async function together(studio) {
     await reach.look('somebody asks');
     const choose = async () => (await press(studio, '.scenario-button')) && press(studio, '.scenario-item');
     await reach.dialogs([['to change the place', choose]]);
-    await press(studio, '.scenario-button');
-    await menuItem(studio, 'Save this place');
-    await press(studio, '.place-share');
-    await studio.page.locator('.share-dialog').waitFor();
-    await reach.look('a link');
-    await studio.page.keyboard.press('Escape');
-    await studio.page.keyboard.press('Escape');
     reach.tell();
   } finally {
     await other.close();
