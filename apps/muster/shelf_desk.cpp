@@ -62,7 +62,7 @@ void ShelfDesk::run() {
 void ShelfDesk::open(const ShelfRequest& request, const HttpReply& reply) {
     const auto text = shelf_.read(request.name);
     if (!text.ok()) return reply(failure(text.status()));
-    open_({text->begin(), text->end()}, request.name, reply);
+    open_({text->begin(), text->end()}, request, reply);
 }
 
 HttpAnswer ShelfDesk::answer(const ShelfRequest& request) {

@@ -27,6 +27,7 @@ import * as objectives from './cases/objectives.mjs';
 import * as orders from './cases/orders.mjs';
 import * as overlays from './cases/overlays.mjs';
 import * as placeFiles from './cases/place_files.mjs';
+import * as placeShare from './cases/place_share.mjs';
 import * as people from './cases/people.mjs';
 import * as queue from './cases/queue.mjs';
 import * as reach from './cases/reach.mjs';
@@ -239,6 +240,13 @@ const kCases = [
     { scenario: 'web/tests/scenarios/two-groups.json', room: true },
   ],
   [
+    'directors: clock',
+    directors.sharedClock,
+    ['desktop', 'phone'],
+    { scenario: 'web/tests/scenarios/two-groups.json' },
+  ],
+  ['directors: place', directors.sharedPlace, ['desktop', 'phone'], { scenario: 'scenarios/market.json' }],
+  [
     'directors: invitation',
     directors.invitation,
     ['desktop', 'portrait', 'phone'],
@@ -300,6 +308,18 @@ const kCases = [
     placeFiles.autosave,
     ['desktop', 'phone'],
     { touch: false, scenario: 'scenarios/open.json' },
+  ],
+  [
+    'place files: kept by name',
+    placeShare.keptByName,
+    ['desktop', 'phone'],
+    { touch: false, scenario: 'scenarios/open.json' },
+  ],
+  [
+    'place files: shared by network',
+    placeShare.sharedByNetwork,
+    ['desktop', 'phone'],
+    { scenario: 'scenarios/open.json', options: ['--lan', '--site', 'https://example.org/crowd/'] },
   ],
   ['a page that hangs', session.stalledPage, ['desktop'], {}],
   ['first visit', look.firstVisit, [...kTablets, 'phone', 'narrow'], { hint: true, everySize: true }],

@@ -130,6 +130,11 @@ private:
         if (const auto* m = std::get_if<protocol::Marks>(&message)) marks.push_back(*m);
         if (const auto* m = std::get_if<protocol::Pong>(&message)) pongs.push_back(*m);
         if (const auto* m = std::get_if<protocol::Directors>(&message)) directors.push_back(*m);
+        if (const auto* m = std::get_if<protocol::SharedWorld>(&message)) shared = *m;
+        if (const auto* m = std::get_if<protocol::Ask>(&message)) asked.push_back(*m);
+        if (const auto* m = std::get_if<protocol::AskAnswered>(&message)) answered.push_back(*m);
+        if (const auto* m = std::get_if<protocol::PlaceKept>(&message)) placeKept = *m;
+        if (const auto* m = std::get_if<protocol::Scenarios>(&message)) scenarios = *m;
         if (const auto* m = std::get_if<protocol::TakeState>(&message)) takes.push_back(*m);
         if (const auto* m = std::get_if<protocol::EditHistory>(&message)) history = *m;
         if (const auto* m = std::get_if<protocol::TakePath>(&message)) path = *m;
@@ -163,6 +168,11 @@ public:
     std::vector<protocol::Marks> marks;
     std::vector<protocol::Pong> pongs;
     std::vector<protocol::Directors> directors;
+    protocol::SharedWorld shared;  ///< The newest.
+    std::vector<protocol::Ask> asked;
+    std::vector<protocol::AskAnswered> answered;
+    std::optional<protocol::PlaceKept> placeKept;
+    std::optional<protocol::Scenarios> scenarios;
     std::vector<protocol::TakeState> takes;
     protocol::EditHistory history;  ///< The newest.
     std::optional<protocol::TakePath> path;

@@ -1,5 +1,6 @@
 // The shelf of takes over HTTP (docs/protocol.md). Every call throws a sentence for the visitor where it fails.
 
+import { byUs } from './answers';
 import { asked } from './asked';
 import type { ShelvedTake, TakeAbout } from '../model/take_facts';
 
@@ -54,7 +55,7 @@ export class ShelfLink {
   }
 
   async open(name: string): Promise<void> {
-    await asked('The take could not be opened', `takes/${name}/open`, { method: 'POST' });
+    await asked('The take could not be opened', byUs(`takes/${name}/open`), { method: 'POST' });
   }
 
   async edit(name: string, about: TakeAbout): Promise<void> {

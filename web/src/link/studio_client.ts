@@ -22,6 +22,11 @@ import type {
   TakeKept,
   TakePath,
   TakeReady,
+  Ask,
+  AskAnswered,
+  PlaceKept,
+  Scenarios,
+  SharedWorld,
   TakeState,
   Welcome,
 } from '../protocol/messages';
@@ -48,6 +53,11 @@ export interface StudioEvents {
   studyState: StudyState;
   directors: Directors;
   takeState: TakeState;
+  sharedWorld: SharedWorld;
+  ask: Ask;
+  askAnswered: AskAnswered;
+  scenarios: Scenarios;
+  placeKept: PlaceKept;
   takeReady: TakeReady;
   takeKept: TakeKept;
   editHistory: EditHistory;
@@ -71,6 +81,11 @@ const kEvents = {
   StudyState: 'studyState',
   Directors: 'directors',
   TakeState: 'takeState',
+  SharedWorld: 'sharedWorld',
+  Ask: 'ask',
+  AskAnswered: 'askAnswered',
+  Scenarios: 'scenarios',
+  PlaceKept: 'placeKept',
   TakeReady: 'takeReady',
   TakeKept: 'takeKept',
   EditHistory: 'editHistory',

@@ -17,7 +17,9 @@ import type { LinkState } from './link_state';
 import type { ConductFacts, OrderStyle } from './commands';
 import type { ClassCount } from './roles';
 import type { StandWords } from './stand';
+import type { AskedWish, Consent } from './consent';
 import type { DirectorInfo, Invitation } from './directors';
+import { kNothingShared, type SharedFacts } from './shared_news';
 
 export type InputKind = 'touch' | 'mouse';
 
@@ -175,6 +177,12 @@ export interface StudioState {
   /** Everybody who is connected. */
   readonly directors: readonly DirectorInfo[];
   readonly invitation: Invitation;
+  /** What directors have done with the world that all share. */
+  readonly shared: SharedFacts;
+  /** What another director would like; null for nothing. */
+  readonly asked: AskedWish | null;
+  /** What this director would like, where others are to be asked; null for nothing. */
+  readonly consent: Consent | null;
   readonly notice: Notice | null;
   readonly hint: boolean;
   /** What the hint tells of and the visitor has done, in its order. */
@@ -257,7 +265,10 @@ export const kInitialState: StudioState = {
   clean: false,
   arrows: [],
   directors: [],
-  invitation: { links: [], code: [] },
+  invitation: { links: [], code: [], site: '' },
+  shared: kNothingShared,
+  asked: null,
+  consent: null,
   notice: null,
   hint: false,
   tried: [],

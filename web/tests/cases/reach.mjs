@@ -1,6 +1,7 @@
 // Every panel, menu and dialog at every size: each of its controls can be hit, and nothing lies outside the window.
 import { expect } from '../support/expect.mjs';
 import { press, unreachable } from '../support/reach.mjs';
+import { StudioPage } from '../support/studio_page.mjs';
 import { pause, play, record, stop } from './takes.mjs';
 
 /** Buttons of menus, by what their menu is called here. */
@@ -257,7 +258,28 @@ export const kTogether = {
   everySize: true,
 };
 
+/** What is told and asked where others direct. */
+async function together(studio) {
+  const other = await StudioPage.open(studio.context.browser(), studio.page.url(), { size: studio.size });
+  try {
+    await studio.until('the other', () => globalThis.__muster.state.directors.length === 2);
+    const reach = new Reach(studio);
+    await other.send({ type: 'Playback', action: 1 });
+    await studio.page.locator('.shared-banner').waitFor();
+    await reach.look('somebody paused');
+    await other.send({ type: 'AskOthers', request: 'open Open square' });
+    await studio.page.locator('.shared-banner', { hasText: 'Allow' }).waitFor();
+    await reach.look('somebody asks');
+    const choose = async () => (await press(studio, '.scenario-button')) && press(studio, '.scenario-item');
+    await reach.dialogs([['to change the place', choose]]);
+    reach.tell();
+  } finally {
+    await other.close();
+  }
+}
+
 export const kReachCases = [
   ['reach: steering', (studio) => steering(studio), kAllSizes, { ...kTogether, hint: true }],
   ['reach: watching a take', (studio) => watching(studio), kAllSizes, kTogether],
+  ['reach: directing together', (studio) => together(studio), kAllSizes, kTogether],
 ];

@@ -4,6 +4,7 @@ import validator from 'gltf-validator';
 import { expect } from '../support/expect.mjs';
 import { extreme, points, shifted } from '../support/geometry.mjs';
 import { startStudio } from '../support/server.mjs';
+import { StudioPage } from '../support/studio_page.mjs';
 
 const now = (studio) => studio.page.evaluate(() => globalThis.__muster.frame.step);
 const visible = (studio, selector) => studio.page.locator(selector).isVisible();
@@ -331,6 +332,8 @@ export async function exports(studio) {
 /** A killed server's recording is offered when it is back. */
 export async function cutOff(studio, server) {
   await record(studio, 1.5);
+  const other = await StudioPage.open(studio.context.browser(), server.url, { size: studio.size });
+  await studio.until('another device', () => globalThis.__muster.state.directors.length === 2);
   server.kill();
   await studio.until('the banner', () => document.documentElement.hasAttribute('data-lost'));
   const again = await startStudio({ port: server.port, scenario: server.scenario, takes: server.takes });
@@ -338,6 +341,10 @@ export async function cutOff(studio, server) {
     await studio.until('the offer', () => document.querySelector('.take-card')?.hidden === false, null, 30000);
     const heading = await studio.page.locator('.card-heading').textContent();
     expect(/cut off/.test(heading), heading);
+    await other.connected();
+    await other.wait(3500);
+    expect(!(await visible(other, '.take-card')), 'only who recorded is told');
+    await other.close();
     await studio.wait(250);
     await studio.shot('takes-cut-off');
     await studio.page.goto(server.url);

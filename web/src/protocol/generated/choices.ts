@@ -11,6 +11,7 @@ export const PlaybackAction = {
   SingleStep: 2,
   Restart: 3,
   Demonstrate: 4,
+  GoBack: 5,
 } as const;
 export type PlaybackAction = (typeof PlaybackAction)[keyof typeof PlaybackAction];
 
@@ -111,6 +112,16 @@ export const TrialEnd = {
   Practised: 4,
 } as const;
 export type TrialEnd = (typeof TrialEnd)[keyof typeof TrialEnd];
+
+/** What a director did with the world of all. */
+export const WorldChange = {
+  None: 0,
+  Opened: 1,
+  Restarted: 2,
+  Watched: 3,
+  WentBack: 4,
+} as const;
+export type WorldChange = (typeof WorldChange)[keyof typeof WorldChange];
 
 /** Kind of a control by its number of points: one, two, or three and more. */
 export const ControlKind = {

@@ -45,7 +45,7 @@ export const kPartLayouts: Readonly<Record<string, string>> = {
 export const kClientLayouts: readonly (readonly [string, string])[] = [
   ['Hello', 'name:text'],
   ['Touches', 'events:TouchEvent*'],
-  ['Playback', 'action:<5'],
+  ['Playback', 'action:<6'],
   ['SetSpeed', 'factor:f32'],
   ['LoadScenario', 'name:text'],
   ['Record', 'on:bool'],
@@ -73,6 +73,10 @@ export const kClientLayouts: readonly (readonly [string, string])[] = [
   ['AskPlaces', 'number:u32 asks:PlacesAsk*'],
   ['WatchStages', 'on:bool'],
   ['AskStandings', 'number:u32'],
+  ['AskOthers', 'request:text'],
+  ['AnswerAsk', 'number:u32 allow:bool'],
+  ['Build', 'on:bool'],
+  ['KeepPlace', 'title:text'],
 ];
 
 // prettier-ignore
@@ -99,4 +103,9 @@ export const kServerLayouts: readonly (readonly [string, string])[] = [
   ['Places', 'number:u32 answers:PlacesFrame*'],
   ['StageTimes', 'step:u32 total:f32 stages:StageFrame*'],
   ['Standings', 'number:u32 people:StandingFrame*'],
+  ['SharedWorld', 'pausedBy:u32 builders:u32s change:<5 changedBy:u32 changer:text before:text'],
+  ['Ask', 'number:u32 client:u32 request:text seconds:f32'],
+  ['AskAnswered', 'allowed:bool client:u32'],
+  ['Scenarios', 'scenarios:ScenarioInfo*'],
+  ['PlaceKept', 'title:text name:text problem:text'],
 ];

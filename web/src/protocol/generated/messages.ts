@@ -12,6 +12,7 @@ import type {
   StudyStage,
   StudyAct,
   TrialEnd,
+  WorldChange,
   ControlKind,
   TouchPhase,
   Stance,
@@ -481,7 +482,7 @@ export interface Touches {
   events: TouchEvent[];
 }
 
-/** Play, pause, one step, from the start, or from the start with the touches that the scenario carries. */
+/** Play, pause, one step, from the start, from the start with the touches that the scenario carries, or back to the world before. */
 export interface Playback {
   type: 'Playback';
   action: PlaybackAction;
@@ -697,6 +698,33 @@ export interface AskStandings {
   type: 'AskStandings';
   /** Comes back with the answer. */
   number: number;
+}
+
+/** Would the others mind? Who does not answer in time agrees. */
+export interface AskOthers {
+  type: 'AskOthers';
+  /** What the sender would like: 'open Market square'; at most 100 letters count. Empty: never mind. */
+  request: string;
+}
+
+/** Whether the sender minds. */
+export interface AnswerAsk {
+  type: 'AnswerAsk';
+  /** Of the question. */
+  number: number;
+  allow: boolean;
+}
+
+/** Begins or ends building: the world waits meanwhile, and goes on if it went on before. */
+export interface Build {
+  type: 'Build';
+  on: boolean;
+}
+
+/** Keeps the place under that name, which it has from now on. */
+export interface KeepPlace {
+  type: 'KeepPlace';
+  title: string;
 }
 
 /** The first answer; again with another number where a take is taken up. */
@@ -1014,6 +1042,59 @@ export interface Standings {
   people: StandingFrame[];
 }
 
+/** What directors have done with the world that all of them share; whenever it changes. */
+export interface SharedWorld {
+  type: 'SharedWorld';
+  /** Who paused it; 0: nobody who is here. */
+  pausedBy: number;
+  /** Who is building: the world waits. */
+  builders: Uint32Array;
+  /** What was done last. */
+  change: WorldChange;
+  /** By whom; 0: somebody who has left. */
+  changedBy: number;
+  /** Their name. */
+  changer: string;
+  /** Title of the world before, to which anybody can go back; empty: there is none. */
+  before: string;
+}
+
+/** What another director would like; an empty request: nothing any more. */
+export interface Ask {
+  type: 'Ask';
+  number: number;
+  client: number;
+  /** As in AskOthers. */
+  request: string;
+  /** So long an answer is waited for [s]. */
+  seconds: number;
+}
+
+/** The answer to AskOthers. */
+export interface AskAnswered {
+  type: 'AskAnswered';
+  allowed: boolean;
+  /** Who minds; 0: nobody. */
+  client: number;
+}
+
+/** The scenarios, where they differ from those of Welcome. */
+export interface Scenarios {
+  type: 'Scenarios';
+  scenarios: ScenarioInfo[];
+}
+
+/** The answer to KeepPlace. */
+export interface PlaceKept {
+  type: 'PlaceKept';
+  /** What the place is called now; empty: it was not kept. */
+  title: string;
+  /** As LoadScenario takes it; empty: the server keeps no places. */
+  name: string;
+  /** Why it was not kept: one sentence. */
+  problem: string;
+}
+
 /** Any message of the page. */
 export type ClientMessage =
   | Hello
@@ -1045,7 +1126,11 @@ export type ClientMessage =
   | DoInStudy
   | AskPlaces
   | WatchStages
-  | AskStandings;
+  | AskStandings
+  | AskOthers
+  | AnswerAsk
+  | Build
+  | KeepPlace;
 
 /** Any message of the server. */
 export type ServerMessage =
@@ -1069,4 +1154,9 @@ export type ServerMessage =
   | StudyState
   | Places
   | StageTimes
-  | Standings;
+  | Standings
+  | SharedWorld
+  | Ask
+  | AskAnswered
+  | Scenarios
+  | PlaceKept;

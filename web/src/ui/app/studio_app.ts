@@ -284,7 +284,7 @@ export class StudioApp {
   private greeted({ scenarios }: Welcome): void {
     this.store.set({ scenarios });
     this.controller_.askOverlayAgain();
-    this.directors_.greeted();
+    this.directors_.greeted(this.client_.clientId);
   }
   private noticed(notice: Notice): void {
     // The server refused these touches, so no frame will show them.

@@ -5,11 +5,13 @@ import { problem } from '../../protocol/problem';
 import type { MessageSender } from '../../link/studio_client';
 import type { ShapeActions } from '../../model/shape_actions';
 import { kHintSteps, type DialogName, type HintStep, type PlacesView } from '../../model/studio_state';
+import { kBeginAgain, kWatch, openingOf, takeOpeningOf, whenAllowed } from '../../model/consent';
 import { kObjectives, objectiveParameters } from '../../model/objective';
 import { formationKind } from '../../model/sequence';
 import type { OwnPeople } from '../steer/own_people';
 import type { StandingController } from '../steer/standing_controller';
 import type { StudioActions } from '../../model/studio_actions';
+import { rememberRecording } from '../takes/recorder';
 import { downloadTake, openTake } from '../takes/takes';
 import { rememberTheme, writeSetting } from '../widgets/theme';
 import type { GroundPoint } from '../../model/plane';
@@ -66,6 +68,12 @@ export class StudioController implements StudioActions {
   }
 
   restart(): void {
+    // In a take it is a seek, which harms nobody.
+    if (this.store_.state.replaying) return this.beginAgain();
+    whenAllowed(this.store_, kBeginAgain, () => this.beginAgain());
+  }
+
+  private beginAgain(): void {
     const { playing } = this.store_.state;
     this.client_.send({ type: 'Playback', action: PlaybackAction.Restart });
     // Who paused looks at the start before going on.
@@ -77,7 +85,8 @@ export class StudioController implements StudioActions {
     const { demonstration, demonstrating } = this.store_.state;
     if (demonstrating) return this.restart();
     if (!demonstration) return this.say_('There is nothing to watch here');
-    this.client_.send({ type: 'Playback', action: PlaybackAction.Demonstrate });
+    const action = PlaybackAction.Demonstrate;
+    whenAllowed(this.store_, kWatch, () => this.client_.send({ type: 'Playback', action }));
   }
 
   nextSpeed(back = false): void {
@@ -92,6 +101,7 @@ export class StudioController implements StudioActions {
       return;
     }
     const on = this.store_.state.recorded < 0;
+    if (on) rememberRecording(true);
     this.client_.send({ type: 'Record', on });
     this.say_(on ? 'Recording' : 'Recording stopped');
   }
@@ -105,7 +115,8 @@ export class StudioController implements StudioActions {
   }
 
   openTake(file: File): void {
-    void openTake(file).then((text) => this.tell(text));
+    const open = (): void => void openTake(file).then((text) => this.tell(text));
+    whenAllowed(this.store_, takeOpeningOf(file.name.replace(/\.take$/, '')), open);
   }
 
   openCharacter(files: readonly File[]): void {
@@ -127,8 +138,11 @@ export class StudioController implements StudioActions {
   }
 
   loadScenario(name: string): void {
-    this.setOverlay(OverlayKind.None, -1);
-    this.client_.send({ type: 'LoadScenario', name });
+    const title = this.store_.state.scenarios.find((one) => one.name === name)?.title || name;
+    whenAllowed(this.store_, openingOf(title), () => {
+      this.setOverlay(OverlayKind.None, -1);
+      this.client_.send({ type: 'LoadScenario', name });
+    });
   }
 
   setObjective(index: number): void {

@@ -23,7 +23,7 @@ using muster::Stance;
 using muster::Standing;
 using muster::EventKind;
 /// What a person wants of time.
-enum class PlaybackAction : std::uint8_t { Play, Pause, SingleStep, Restart, Demonstrate };
+enum class PlaybackAction : std::uint8_t { Play, Pause, SingleStep, Restart, Demonstrate, GoBack };
 /// What the ground is coloured by.
 enum class OverlayKind : std::uint8_t { None, Field, Cost, Density, Reach };
 /// What moves.
@@ -46,12 +46,14 @@ enum class StudyStage : std::uint8_t { Form, Ready, Trial, Paused, Thanks, Broke
 enum class StudyAct : std::uint8_t { Start, GoOn, GiveUp, BreakOff };
 /// How a trial ended.
 enum class TrialEnd : std::uint8_t { None, Done, TimeOver, GivenUp, Practised };
+/// What a director did with the world of all.
+enum class WorldChange : std::uint8_t { None, Opened, Restarted, Watched, WentBack };
 
 /// How many values an enumeration has.
 template <class Choice>
 inline constexpr std::size_t kChoices = kCountOf<Choice>;
 template <>
-inline constexpr std::size_t kChoices<PlaybackAction> = 5;
+inline constexpr std::size_t kChoices<PlaybackAction> = 6;
 template <>
 inline constexpr std::size_t kChoices<OverlayKind> = 5;
 template <>
@@ -74,6 +76,8 @@ template <>
 inline constexpr std::size_t kChoices<StudyAct> = 4;
 template <>
 inline constexpr std::size_t kChoices<TrialEnd> = 5;
+template <>
+inline constexpr std::size_t kChoices<WorldChange> = 5;
 
 /// Marks the input as bad where an enumeration read from it has no such value.
 template <class Archive, class Choice>
