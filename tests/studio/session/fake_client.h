@@ -126,6 +126,7 @@ private:
         if (const auto* m = std::get_if<protocol::Notice>(&message)) notices.push_back(*m);
         if (const auto* m = std::get_if<protocol::Forecasts>(&message)) forecasts.push_back(*m);
         if (const auto* m = std::get_if<protocol::Places>(&message)) places.push_back(*m);
+        if (const auto* m = std::get_if<protocol::Said>(&message)) said.push_back(*m);
         if (const auto* m = std::get_if<protocol::Marks>(&message)) marks.push_back(*m);
         if (const auto* m = std::get_if<protocol::Pong>(&message)) pongs.push_back(*m);
         if (const auto* m = std::get_if<protocol::Directors>(&message)) directors.push_back(*m);
@@ -158,6 +159,7 @@ public:
     std::vector<protocol::Notice> notices;
     std::vector<protocol::Forecasts> forecasts;
     std::vector<protocol::Places> places;
+    std::vector<protocol::Said> said;
     std::vector<protocol::Marks> marks;
     std::vector<protocol::Pong> pongs;
     std::vector<protocol::Directors> directors;

@@ -26,6 +26,7 @@ export const kPartLayouts: Readonly<Record<string, string>> = {
   AnswerFrame: 'name:text text:text number:f64',
   StageFrame: 'name:text about:text milliseconds:f32',
   EventFrame: 'kind:<26 subject:u32 value:u32 x:f32 y:f32',
+  SaidCompletion: 'words:text whole:text',
   GroupBodyEdit: 'group:u32 radius:f64? maxSpeed:f64? unitClass:u8?',
   SceneBox: 'min:Vec2 max:Vec2',
   SceneClip: 'name:text speed:f64',
@@ -71,6 +72,7 @@ export const kClientLayouts: readonly (readonly [string, string])[] = [
   ['DoInStudy', 'act:<4'],
   ['AskPlaces', 'number:u32 asks:PlacesAsk*'],
   ['WatchStages', 'on:bool'],
+  ['Say', 'number:u32 act:<4 text:text chosen:u32s'],
 ];
 
 // prettier-ignore
@@ -96,4 +98,5 @@ export const kServerLayouts: readonly (readonly [string, string])[] = [
   ['StudyState', 'stage:<8 token:text run:u32 test:bool trial:u32 trials:u32 practice:bool environment:text environmentText:text scheme:text schemeTitle:text schemeText:text touch:bool mesh:bool items:u32 limit:f64 least:f64 mmPerPixel:f64 ended:<5 seconds:f64 collected:u32'],
   ['Places', 'number:u32 answers:PlacesFrame*'],
   ['StageTimes', 'step:u32 total:f32 stages:StageFrame*'],
+  ['Said', 'number:u32 act:<4 sentences:text problem:text completions:SaidCompletion* forecasts:ForecastFrame* places:PlacesFrame*'],
 ];

@@ -11,6 +11,7 @@ import type {
   QuestionKind,
   StudyStage,
   StudyAct,
+  SayAct,
   TrialEnd,
   ControlKind,
   TouchPhase,
@@ -369,6 +370,14 @@ export interface EventFrame {
   y: number;
 }
 
+/** How a sentence may go on. */
+export interface SaidCompletion {
+  /** What comes next, for people. */
+  words: string;
+  /** The sentence with it. */
+  whole: string;
+}
+
 /** Numbers of a body for all present members of a group. */
 export interface GroupBodyEdit {
   group: number;
@@ -679,6 +688,18 @@ export interface WatchStages {
   on: boolean;
 }
 
+/** A sentence that directs: what would it do, or do it; how may it go on; or what is there to see? */
+export interface Say {
+  type: 'Say';
+  /** Comes back with the answer. */
+  number: number;
+  act: SayAct;
+  /** At most 1,000 bytes; not read for Look. */
+  text: string;
+  /** Ids of the groups that it is about where it names none. */
+  chosen: Uint32Array;
+}
+
 /** The first answer; again with another number where a take is taken up. */
 export interface Welcome {
   type: 'Welcome';
@@ -987,6 +1008,23 @@ export interface StageTimes {
   stages: StageFrame[];
 }
 
+/** What a sentence does or would do. */
+export interface Said {
+  type: 'Said';
+  number: number;
+  act: SayAct;
+  /** What each group does, a line each; for Look what is there. */
+  sentences: string;
+  /** One sentence: what is not understood, or cannot be; else empty. */
+  problem: string;
+  /** For Complete and Preview: how it may go on. */
+  completions: SaidCompletion[];
+  /** For Preview: what would come of the first order of each part. */
+  forecasts: ForecastFrame[];
+  /** For Preview: where they would stand. */
+  places: PlacesFrame[];
+}
+
 /** Any message of the page. */
 export type ClientMessage =
   | Hello
@@ -1017,7 +1055,8 @@ export type ClientMessage =
   | UndoEdit
   | DoInStudy
   | AskPlaces
-  | WatchStages;
+  | WatchStages
+  | Say;
 
 /** Any message of the server. */
 export type ServerMessage =
@@ -1040,4 +1079,5 @@ export type ServerMessage =
   | StudyForm
   | StudyState
   | Places
-  | StageTimes;
+  | StageTimes
+  | Said;
