@@ -22,6 +22,7 @@ import { fetchBodies } from './scene/crowd/bodies/gltf_body';
 import { openBuildLazily } from './ui/build/lazy_build';
 import { openMeasuresLazily } from './ui/measures/lazy_measures';
 import { openPathsLazily } from './ui/takes/lazy_path';
+import { openWordsLazily } from './ui/orders/lazy_words';
 import { openSequenceLazily } from './ui/formations/lazy_sequence';
 import { openPlacesLazily } from './ui/places/lazy_places';
 import { openTakesLazily } from './ui/takes/lazy_takes';
@@ -72,6 +73,7 @@ async function start(mode: string | undefined): Promise<object> {
   openBuildLazily({ ...parts, history: app.orders.history });
   openPathsLazily(parts);
   openMeasuresLazily(parts);
+  openWordsLazily(parts, () => app.frame);
   openSequenceLazily({ ...parts, queues: app.orders.queues, frame: () => app.frame });
   const standby = kAbout['standby'];
   if (standby !== undefined)

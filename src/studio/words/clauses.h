@@ -9,7 +9,7 @@
 #include "muster/order.h"
 #include "studio/words/known_names.h"
 
-namespace muster {
+namespace muster::words {
 
 /// A direction of the compass, or one of a group's own.
 enum class Heading : std::uint8_t {
@@ -135,4 +135,4 @@ struct Clause {
     std::vector<Act> acts;
 };
 
-}  // namespace muster
+}  // namespace muster::words

@@ -8,7 +8,7 @@
 #include "engine/world/inspect.h"
 #include "muster/views.h"
 
-namespace muster {
+namespace muster::words {
 namespace {
 
 /// Numbers of ids that stand in for those of parts: no world has so many groups.
@@ -217,4 +217,4 @@ Result<std::vector<Crew>> Crews::of(const std::optional<Who>& said, const Vec2* 
     return crews;
 }
 
-}  // namespace muster
+}  // namespace muster::words

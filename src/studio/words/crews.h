@@ -10,7 +10,7 @@
 #include "studio/words/clauses.h"
 #include "studio/words/words.h"
 
-namespace muster {
+namespace muster::words {
 
 /// A group, or the people of one who are to become a group.
 struct Crew {
@@ -59,4 +59,4 @@ private:
     std::vector<WordsPart> parts_;
 };
 
-}  // namespace muster
+}  // namespace muster::words

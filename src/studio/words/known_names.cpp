@@ -8,7 +8,7 @@
 #include "engine/world/inspect.h"
 #include "muster/views.h"
 
-namespace muster {
+namespace muster::words {
 namespace {
 
 /// Colours of groups that have chosen none, by their ids in turn.
@@ -159,4 +159,4 @@ std::vector<ThingSpot> KnownNames::areas(AreaKind kind) const {
     return areas;
 }
 
-}  // namespace muster
+}  // namespace muster::words

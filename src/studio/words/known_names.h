@@ -11,7 +11,7 @@
 #include "muster/world.h"
 #include "studio/words/tokens.h"
 
-namespace muster {
+namespace muster::words {
 
 /// What a name is of.
 enum class NamedKind : std::uint8_t { Group, Obstacle, Patch, Area };
@@ -61,4 +61,4 @@ private:
 /// 0xRRGGBB of a colour's name; none for other words.
 std::optional<std::uint32_t> colourOf(std::string_view word);
 
-}  // namespace muster
+}  // namespace muster::words

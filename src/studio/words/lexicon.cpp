@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace muster {
+namespace muster::words {
 namespace {
 
 using Words = std::span<const std::string_view>;
@@ -239,4 +239,4 @@ std::string_view nameOf(Heading heading) {
     return kHeadings[static_cast<std::size_t>(heading)];
 }
 
-}  // namespace muster
+}  // namespace muster::words

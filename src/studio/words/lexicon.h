@@ -8,7 +8,7 @@
 
 #include "studio/words/clauses.h"
 
-namespace muster {
+namespace muster::words {
 
 /// The verb that a phrase of one to three words is, with the number of its words; None for other words.
 struct VerbFound {
@@ -37,4 +37,4 @@ std::span<const std::string_view> commonPhrases();
 /// "north", "the left".
 std::string_view nameOf(Heading heading);
 
-}  // namespace muster
+}  // namespace muster::words

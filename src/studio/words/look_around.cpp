@@ -15,6 +15,8 @@
 #include "studio/words/words.h"
 
 namespace muster {
+using namespace words;
+
 namespace {
 
 constexpr std::size_t kMostThings = 200;

@@ -7,7 +7,7 @@
 #include "muster/views.h"
 #include "studio/words/planner.h"
 
-namespace muster {
+namespace muster::words {
 namespace {
 
 constexpr double kMostParts = 20.0;
@@ -147,4 +147,4 @@ void Planner::skip(All crews) {
     }
 }
 
-}  // namespace muster
+}  // namespace muster::words

@@ -9,7 +9,7 @@
 #include "studio/words/lexicon.h"
 #include "studio/words/planner.h"
 
-namespace muster {
+namespace muster::words {
 namespace {
 
 constexpr double kFollowGap = 2.0;   // Behind whom they follow [m].
@@ -262,4 +262,4 @@ void Planner::swap(const Act& act, All crews) {
     }
 }
 
-}  // namespace muster
+}  // namespace muster::words

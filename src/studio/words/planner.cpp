@@ -7,7 +7,7 @@
 #include "engine/world/inspect.h"
 #include "muster/views.h"
 
-namespace muster {
+namespace muster::words {
 namespace {
 
 bool isOrder(Verb verb) {
@@ -225,4 +225,4 @@ void Planner::finish() {
     result_.parts = crews_.parts();
 }
 
-}  // namespace muster
+}  // namespace muster::words

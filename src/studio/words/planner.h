@@ -9,7 +9,7 @@
 #include "studio/words/crews.h"
 #include "studio/words/stands.h"
 
-namespace muster {
+namespace muster::words {
 
 class Planner {
 public:
@@ -88,4 +88,4 @@ std::string formWord(FormationKind kind);
 /// A number with at most one digit behind the point.
 std::string numberText(double value);
 
-}  // namespace muster
+}  // namespace muster::words

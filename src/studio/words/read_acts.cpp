@@ -3,7 +3,7 @@
 
 #include "studio/words/reader.h"
 
-namespace muster {
+namespace muster::words {
 namespace {
 
 /// How much wider "wider" is.
@@ -61,13 +61,13 @@ bool Reader::readTarget(Act& act) {
 
 // "split North into three", "merge South into North", "split 10 people off North"
 bool Reader::readParts(Act& act) {
-    if (clause().who || boundary_) return readHow();
+    if (clause().who) return readHow();
     take({"up"});
-    boundary_ = true;
-    const bool found = readNewWho();
-    boundary_ = false;
     (void)act;
-    return found;
+    auto who = readWho();
+    if (!who) return false;
+    clause().who = std::move(who);
+    return true;
 }
 
 // What it is called stands in the text as it is typed.
@@ -265,6 +265,7 @@ bool Reader::readPreposition() {
         clause().acts.back().colour = colourOf(word());
         return ++at_, true;
     }
+    if (verb == Verb::Space && take({"out", "up", "apart", "together", "more", "a", "bit", "ranks"})) return true;
     if (verb == Verb::Swap && take({"places", "positions", "sides", "with", "spots"})) return true;
     if (verb == Verb::Swap)
         if (auto groups = readGroup(); !groups.empty()) return last->others = std::move(groups), true;
@@ -303,4 +304,4 @@ bool Reader::readPreposition() {
     return true;
 }
 
-}  // namespace muster
+}  // namespace muster::words

@@ -4,7 +4,7 @@
 #include "base/maths.h"
 #include "studio/words/reader.h"
 
-namespace muster {
+namespace muster::words {
 namespace {
 
 constexpr double kMostMetres = 1e5;
@@ -252,4 +252,4 @@ std::optional<Facing> Reader::readFacing() {
     return facing;
 }
 
-}  // namespace muster
+}  // namespace muster::words

@@ -4,7 +4,7 @@
 
 #include "studio/words/reader.h"
 
-namespace muster {
+namespace muster::words {
 namespace {
 
 void addTo(std::vector<GroupId>& groups, const std::vector<GroupId>& more) {
@@ -218,4 +218,4 @@ void Reader::readExcept(Who& who) {
     if (!readGroups(who.except)) failAtWord();
 }
 
-}  // namespace muster
+}  // namespace muster::words

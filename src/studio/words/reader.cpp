@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace muster {
+namespace muster::words {
 namespace {
 
 constexpr std::size_t kMostTokens = 160;
@@ -191,4 +191,4 @@ bool Reader::isEndOfClause(std::size_t skip) const {
     return at_ + skip >= tokens_.size() || isOneOf({",", ";", ".", ":", "!", "?", "and", "then", "while", "but"}, skip);
 }
 
-}  // namespace muster
+}  // namespace muster::words

@@ -13,7 +13,7 @@
 #include "studio/words/lexicon.h"
 #include "studio/words/tokens.h"
 
-namespace muster {
+namespace muster::words {
 
 /// What a text says, or what is not understood of it.
 struct Reading {
@@ -107,4 +107,4 @@ private:
     std::string problem_;
 };
 
-}  // namespace muster
+}  // namespace muster::words

@@ -10,7 +10,7 @@
 #include "engine/world/inspect.h"
 #include "muster/views.h"
 
-namespace muster {
+namespace muster::words {
 namespace {
 
 constexpr double kGap = 1.0;          // Between a formation and what it stands beside [m].
@@ -222,4 +222,4 @@ std::vector<Stand> standsAt(const Spot& spot, const World& world, const std::vec
     return stands;
 }
 
-}  // namespace muster
+}  // namespace muster::words

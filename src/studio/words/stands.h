@@ -6,7 +6,7 @@
 
 #include "studio/words/crews.h"
 
-namespace muster {
+namespace muster::words {
 
 /// Where a group is to stand.
 struct Stand {
@@ -35,4 +35,4 @@ Vec2 directionOf(Heading heading, Rotation front);
 std::vector<Stand> standsAt(const Spot& spot, const World& world, const std::vector<Crew>& crews,
                             const std::vector<FormationDef>& formations);
 
-}  // namespace muster
+}  // namespace muster::words

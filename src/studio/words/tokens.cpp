@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-namespace muster {
+namespace muster::words {
 namespace {
 
 constexpr std::array<std::pair<std::string_view, double>, 26> kNumberWords{
@@ -130,4 +130,4 @@ std::size_t lettersBetween(std::string_view a, std::string_view b) {
     return last[b.size()];
 }
 
-}  // namespace muster
+}  // namespace muster::words

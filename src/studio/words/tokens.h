@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace muster {
+namespace muster::words {
 
 /// A word in small letters, a number, or a mark as "," and "%".
 struct Token {
@@ -29,4 +29,4 @@ std::vector<std::string> wordsOfName(std::string_view name);
 /// other.
 std::size_t lettersBetween(std::string_view a, std::string_view b);
 
-}  // namespace muster
+}  // namespace muster::words

@@ -10,6 +10,8 @@
 #include "studio/words/reader.h"
 
 namespace muster {
+using namespace words;
+
 namespace {
 
 constexpr std::size_t kMostCompletions = 8;
@@ -56,7 +58,7 @@ void nameParts(Understood& result, const World& world) {
 
 Understood understand(std::string_view text, const WordsScene& scene) {
     const KnownNames names(scene.world);
-    Reading reading = Reader(text, names).read();
+    Reading reading = words::Reader(text, names).read();
     if (!reading.problem.empty()) {
         Understood result;
         result.problem = std::move(reading.problem);

@@ -13,6 +13,7 @@ import type {
   Overlay,
   Places,
   Pong,
+  Said,
   Scene,
   ServerMessage,
   StageTimes,
@@ -41,6 +42,7 @@ export interface StudioEvents {
   notice: Notice;
   forecasts: Forecasts;
   places: Places;
+  said: Said;
   marks: Marks;
   studyForm: StudyForm;
   studyState: StudyState;
@@ -63,6 +65,7 @@ const kEvents = {
   Notice: 'notice',
   Forecasts: 'forecasts',
   Places: 'places',
+  Said: 'said',
   Marks: 'marks',
   StudyForm: 'studyForm',
   StudyState: 'studyState',
