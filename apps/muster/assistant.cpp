@@ -70,7 +70,7 @@ std::string failure(const Json& id, int code, const std::string& message) {
     return compactJson({{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", code}, {"message", message}}}});
 }
 
-std::string seconds(float value) {
+std::string timeText(float value) {
     return value < 1e6f ? std::to_string(static_cast<int>(value + 0.5f)) + " s" : "no time that is known";
 }
 
@@ -79,7 +79,7 @@ std::string outlook(const protocol::Said& said) {
     std::string text;
     for (const protocol::ForecastFrame& one : said.forecasts) {
         text += "\nGroup " + std::to_string(one.group) + ": ";
-        text += one.arrives ? "would arrive in " + seconds(one.seconds) + "." : "cannot get all the way.";
+        text += one.arrives ? "would arrive in " + timeText(one.seconds) + "." : "cannot get all the way.";
     }
     std::size_t all = 0, unfit = 0;
     for (const protocol::PlacesFrame& places : said.places) {
