@@ -222,7 +222,7 @@ public:
     }
 
     Status operator()(const protocol::Say& message) {
-        if (message.act != protocol::SayAct::Do)
+        if (message.act == protocol::SayAct::Preview)
             if (Status status = takeForecasts(1); !status.ok()) return status;
         const auto said = session_.say(client_, message);
         if (!said.ok()) return said.status();

@@ -241,6 +241,8 @@ bool Reader::readPreposition() {
     }
     Act* const last = clause().acts.empty() ? nullptr : &clause().acts.back();
     const Verb verb = last != nullptr && !(boundary_ && then_) ? last->verb : Verb::None;
+    if (verb == Verb::Face && !last->facing)
+        if (auto facing = readFacing()) return last->facing = std::move(facing), true;
     if (verb == Verb::Split && take({"in", "into"})) {
         skipArticles();
         const auto share = shareOf(word());

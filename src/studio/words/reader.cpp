@@ -56,7 +56,7 @@ bool Reader::readMark() {
 bool Reader::readNewWho() {
     const bool open = !clauses_.empty() && !clauses_.back().acts.empty();
     const bool hasWho = !clauses_.empty() && clauses_.back().who.has_value();
-    if (!boundary_ && hasWho) return false;
+    if (!boundary_ && hasWho) return open && take({"them", "it", "they"});  // The same as before.
     if (take({"with", "using"})) {
         if (hasWho) return --at_, false;
     }
@@ -129,6 +129,7 @@ void Reader::fail(std::string problem) {
 }
 
 void Reader::failAtWord() {
+    if (atEnd()) return fail("Something is missing at the end: say who, what and where, as “North go to 5, 0”.");
     const Token& token = tokens_[at_];
     const std::string said(text_.substr(token.from, token.end - token.from));
     const std::string other = guess(token);

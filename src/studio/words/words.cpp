@@ -85,20 +85,22 @@ std::vector<WordsCompletion> completions(std::string_view text, const WordsScene
     const std::string start = open ? tokens.back().text : "";
     const std::string before(text.substr(0, open ? tokens.back().from : text.size()));
     std::vector<WordsCompletion> found;
-    std::set<std::string> known;
+    std::set<std::string> known;  // In small letters.
     const auto put = [&](const std::string& words) {
         if (found.size() == kMostCompletions || words.size() <= start.size()) return;
         std::string small = words;
         for (char& c : small)
             if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-        if (small.compare(0, start.size(), start) == 0 && known.insert(words).second)
+        if (small.compare(0, start.size(), start) == 0 && known.insert(small).second)
             found.push_back({words, before + words + " "});
     };
     for (const Named& named : names.all()) put(named.name);
     if (text.empty() || open)
         for (const std::string_view phrase : commonPhrases()) put(std::string(phrase));
-    if (open && start.size() > 1)
-        for (const std::string_view word : allWords()) put(std::string(word));
+    // Behind a word that is whole no other is meant.
+    const auto all = allWords();
+    if (open && start.size() > 1 && std::find(all.begin(), all.end(), start) == all.end())
+        for (const std::string_view word : all) put(std::string(word));
     return found;
 }
 

@@ -24,7 +24,7 @@ function groupsToBe(studio, count) {
 async function completes(studio) {
   const { page } = studio;
   await page.keyboard.type('Nor');
-  await page.locator('.words [role="option"]', { hasText: 'North' }).waitFor();
+  await page.locator('.words [role="option"]', { hasText: 'North' }).first().waitFor();
   await page.keyboard.press('ArrowDown');
   await page.keyboard.press('Enter');
   expect((await page.locator('.words input').inputValue()) === 'North ', 'the name is completed');

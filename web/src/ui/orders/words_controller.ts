@@ -25,7 +25,7 @@ export interface WordsParts {
 
 /** After the last letter [ms]. */
 const kPause = 120;
-/** What is shown is asked about again, as the crowd goes on [ms]. */
+/** It is asked about again after so long, as the crowd goes on [ms]. */
 const kAgain = 1500;
 
 export class WordsController {
@@ -64,21 +64,21 @@ export class WordsController {
     const { client, store } = this.parts_;
     const chosen = Uint32Array.from(store.state.selected);
     client.send({ type: 'Say', number: ++this.number_, act, text, chosen });
+    // Also where no answer comes.
+    if (act === SayAct.Preview) this.timer_ = setTimeout(() => this.ask(text, act), kAgain);
   }
 
   private answered(said: Said): void {
     const { store } = this.parts_;
     if (said.act === SayAct.Do) {
       this.show(null);
+      clearTimeout(this.timer_);
       this.line_.done(said);
       if (!said.problem) this.text_ = '';
       return;
     }
     this.line_.show(said);
-    if (!store.state.words) return;
-    this.show(said);
-    if (said.places.length + said.forecasts.length === 0) return;
-    this.timer_ = setTimeout(() => this.ask(this.text_, SayAct.Preview), kAgain);
+    if (store.state.words) this.show(said);
   }
 
   /** On the ground. */
