@@ -18,6 +18,8 @@ bool isOrder(Verb verb) {
 std::vector<Act> folded(const std::vector<Act>& acts) {
     std::vector<Act> all;
     for (const Act& act : acts) {
+        const bool leads = isOrder(act.verb) && !act.to && act.via.empty() && !act.form && !act.facing;
+        if (leads && &act != &acts.back()) continue;  // “Take them and put them there” is one order.
         Act* const before = all.empty() ? nullptr : &all.back();
         const bool goes = before != nullptr && before->to && (isOrder(before->verb) || before->verb == Verb::Form);
         const bool stays = act.verb == Verb::Hold || act.verb == Verb::Stop || (act.verb == Verb::Wait && !act.to);

@@ -16,6 +16,10 @@ constexpr double kDensest = 0.3, kSparsest = 20.0;
 bool Reader::readObject(Act& act) {
     switch (act.verb) {
         case Verb::Face:
+            // “Turn South around” turns a group, “turn south” says where to.
+            if (const auto found = names_.startOf(rest(), true);
+                !found.empty() && !clause().who && !isEndOfClause(found.front()->words.size()))
+                return false;
             if (auto facing = readFacing()) return act.facing = std::move(facing), true;
             return false;
         case Verb::Follow:
@@ -51,7 +55,7 @@ bool Reader::readTarget(Act& act) {
     skipArticles();
     const bool guards = act.verb == Verb::Guard;
     if (guards) {
-        act.to = readSpot();
+        act.to = readSpot(true);
         return act.to.has_value();
     }
     const std::vector<GroupId> groups = readGroup();

@@ -11,11 +11,21 @@ constexpr double kMostMetres = 1e5;
 
 }  // namespace
 
-std::optional<Spot> Reader::readSpot() {
+/// True where the name of a group comes next, and not “the south edge”.
+bool Reader::isGroupHere() const {
+    std::size_t skip = 0;
+    while (isOneOf({"to", "at", "the"}, skip)) ++skip;
+    const auto found = names_.startOf(rest(skip), true);
+    return !found.empty() && !isOneOf({"side", "edge", "end", "corner", "wall", "of"}, skip + found.front()->words.size());
+}
+
+std::optional<Spot> Reader::readSpot(bool named) {
     const std::size_t before = at_;
     if (auto spot = readPoint()) return spot;
     if (auto spot = readBetween()) return spot;
-    if (auto spot = readShift()) return spot;
+    const bool group = (named || isOneOf({"to", "at"})) && isGroupHere();
+    if (!group)
+        if (auto spot = readShift()) return spot;
     at_ = before;
     Beside beside = Beside::At;
     if (takePhrase("next to") || take({"beside", "near", "by", "alongside", "against"}) ||
@@ -29,7 +39,8 @@ std::optional<Spot> Reader::readSpot() {
         beside = Beside::Behind;
     else
         take({"at", "in", "into", "inside", "on", "onto", "to"});
-    if (auto spot = readEdge()) return spot;
+    if (!group)
+        if (auto spot = readEdge()) return spot;
     auto spot = readNamed();
     if (!spot) {
         at_ = before;

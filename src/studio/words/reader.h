@@ -73,7 +73,9 @@ private:
     void readExcept(Who& who);
 
     // Where (read_spot.cpp).
-    std::optional<Spot> readSpot();
+    /// `named`: where a group is called North, “north” is the group.
+    std::optional<Spot> readSpot(bool named = false);
+    bool isGroupHere() const;
     std::optional<Spot> readNamed();
     std::optional<Spot> readPoint();
     std::optional<Spot> readShift();
