@@ -14,13 +14,14 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr int kParseError = -32700, kInvalidRequest = -32600, kNoMethod = -32601, kInvalidParams = -32602;
-constexpr auto kPatience = 10s;     // For an answer of the studio.
-constexpr auto kSettled = 300ms;    // The world has refused by then what it refuses.
+constexpr auto kPatience = 10s;   // For an answer of the studio.
+constexpr auto kSettled = 300ms;  // The world has refused by then what it refuses.
 constexpr std::array kRevisions{"2025-11-25", "2025-06-18", "2025-03-26", "2024-11-05"};
 constexpr const char* kInstructions =
     "You direct a crowd in a running studio, together with people who watch. Call look first: it tells the "
     "groups, the things on the ground and where they are. Then say what groups shall do, in plain English: "
-    "'Half of North to Fountain in a ring, the rest hold'. With preview true nothing is done, and you hear what "
+    "'Half of North to Fountain in a ring, the rest hold'. With preview true nothing is done, and you hear "
+    "what "
     "would be. undo takes back your last step.";
 
 struct Tool {
@@ -29,18 +30,20 @@ struct Tool {
     const char* schema;  // Of its arguments, as JSON.
 };
 constexpr std::array kTools{
-    Tool{"look",
-         "Tells what there is: groups with their people, places, shapes and orders, things with their places, "
-         "the time, and a map from above.",
-         R"({"type":"object","properties":{}})"},
-    Tool{"say",
-         "Directs by a sentence: go to, by way of, follow, guard, patrol between, leave by, wait in, face, "
-         "stop, hold, form a ring, line, column, square, wedge, circle or crescent, spread out, split, merge, "
-         "swap places, rename, faster, slower; for groups by name or colour, everybody, half of, a third of, "
-         "20 of, the rest. Answers with what each group does, or with what was not understood.",
-         R"({"type":"object","properties":{"sentence":{"type":"string","description":"What the groups shall do."},)"
-         R"("preview":{"type":"boolean","description":"True: only tell what would come of it."}},)"
-         R"("required":["sentence"]})"},
+    Tool{
+        "look",
+        "Tells what there is: groups with their people, places, shapes and orders, things with their places, "
+        "the time, and a map from above.",
+        R"({"type":"object","properties":{}})"},
+    Tool{
+        "say",
+        "Directs by a sentence: go to, by way of, follow, guard, patrol between, leave by, wait in, face, "
+        "stop, hold, form a ring, line, column, square, wedge, circle or crescent, spread out, split, merge, "
+        "swap places, rename, faster, slower; for groups by name or colour, everybody, half of, a third of, "
+        "20 of, the rest. Answers with what each group does, or with what was not understood.",
+        R"({"type":"object","properties":{"sentence":{"type":"string","description":"What the groups shall do."},)"
+        R"("preview":{"type":"boolean","description":"True: only tell what would come of it."}},)"
+        R"("required":["sentence"]})"},
     Tool{"do",
          "Gives exact commands, as gesture files of Muster have them: "
          R"([{"kind":"move","group":1,"x":3,"y":4}].)",
@@ -84,8 +87,8 @@ std::string outlook(const protocol::Said& said) {
     std::size_t all = 0, unfit = 0;
     for (const protocol::PlacesFrame& places : said.places) {
         all += places.unfit.size();
-        unfit += static_cast<std::size_t>(
-            std::count_if(places.unfit.begin(), places.unfit.end(), [](std::uint8_t bar) { return bar != 0; }));
+        unfit += static_cast<std::size_t>(std::count_if(places.unfit.begin(), places.unfit.end(),
+                                                        [](std::uint8_t bar) { return bar != 0; }));
     }
     if (unfit > 0)
         text += "\n" + std::to_string(unfit) + " of " + std::to_string(all) + " places cannot be reached.";
@@ -153,13 +156,15 @@ Json Assistant::call(const Json* params, std::string& problem, int& code) {
                       tool == "redo" ? "Done again." : "Taken back.");
     } else if (tool == "play" || tool == "pause") {
         const PlaybackAction action = tool == "play" ? PlaybackAction::Play : PlaybackAction::Pause;
-        outcome = act(protocol::encode(protocol::Playback{action}), tool == "play" ? "Time goes on." : "Time stands.");
+        outcome = act(protocol::encode(protocol::Playback{action}),
+                      tool == "play" ? "Time goes on." : "Time stands.");
     } else {
         code = kInvalidParams;
         problem = "there is no tool '" + tool.substr(0, 60) + "'";
         return {};
     }
-    return {{"content", Json::array({Json{{"type", "text"}, {"text", outcome.text}}})}, {"isError", outcome.failed}};
+    return {{"content", Json::array({Json{{"type", "text"}, {"text", outcome.text}}})},
+            {"isError", outcome.failed}};
 }
 
 Assistant::Outcome Assistant::spoken(protocol::SayAct act, const std::string& text) {
@@ -171,7 +176,8 @@ Assistant::Outcome Assistant::spoken(protocol::SayAct act, const std::string& te
     if (const Status sent = link_.send(protocol::encode(say)); !sent.ok()) return {sent.message(), true};
     Outcome outcome;
     const bool came = link_.await(kPatience, [&](const protocol::ServerMessage& message) {
-        if (const auto* notice = std::get_if<protocol::Notice>(&message); notice != nullptr && notice->code == "Say")
+        if (const auto* notice = std::get_if<protocol::Notice>(&message);
+            notice != nullptr && notice->code == "Say")
             return outcome = {notice->text, true}, true;
         const auto* said = std::get_if<protocol::Said>(&message);
         if (said == nullptr || said->number != number_) return false;
@@ -199,7 +205,8 @@ Assistant::Outcome Assistant::say(const Json& arguments) {
 
 Assistant::Outcome Assistant::give(const Json& arguments) {
     const Json* commands = arguments.find("commands");
-    if (commands == nullptr || !commands->isArray() || commands->empty()) return {"Give at least one command.", true};
+    if (commands == nullptr || !commands->isArray() || commands->empty())
+        return {"Give at least one command.", true};
     const auto read = parseCommands(compactJson(*commands), "commands", 1.0 / 60.0);
     if (!read.ok()) return {read.status().message(), true};
     Writer writer;
@@ -216,14 +223,15 @@ Assistant::Outcome Assistant::act(std::vector<std::uint8_t> bytes, const std::st
 
 std::string Assistant::troubles() {
     std::string text;
-    link_.await(std::chrono::duration_cast<std::chrono::milliseconds>(kSettled),
-                [&](const protocol::ServerMessage& message) {
-                    const auto* notice = std::get_if<protocol::Notice>(&message);
-                    const bool ours = notice != nullptr && notice->level != protocol::NoticeLevel::Info &&
-                                      (notice->level == protocol::NoticeLevel::Error || notice->code == "rejected");
-                    if (ours) text += (text.empty() ? "" : " ") + notice->text;
-                    return false;
-                });
+    link_.await(
+        std::chrono::duration_cast<std::chrono::milliseconds>(kSettled),
+        [&](const protocol::ServerMessage& message) {
+            const auto* notice = std::get_if<protocol::Notice>(&message);
+            const bool ours = notice != nullptr && notice->level != protocol::NoticeLevel::Info &&
+                              (notice->level == protocol::NoticeLevel::Error || notice->code == "rejected");
+            if (ours) text += (text.empty() ? "" : " ") + notice->text;
+            return false;
+        });
     return text;
 }
 

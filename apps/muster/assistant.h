@@ -1,4 +1,5 @@
-// A language model directs: the Model Context Protocol, revisions 2024-11-05 to 2025-11-25, over lines of text.
+// A language model directs: the Model Context Protocol, revisions 2024-11-05 to 2025-11-25, over lines of
+// text.
 #pragma once
 
 #include <optional>

@@ -34,7 +34,8 @@ public:
     Status send(std::vector<std::uint8_t> bytes);
     /// Gives each message that has come and that comes to `take` until it returns true. False where the time
     /// is over before that, or the studio is gone.
-    bool await(std::chrono::milliseconds most, const std::function<bool(const protocol::ServerMessage&)>& take);
+    bool await(std::chrono::milliseconds most,
+               const std::function<bool(const protocol::ServerMessage&)>& take);
     /// Forgets what has come so far.
     void forget();
 

@@ -39,21 +39,21 @@ enum class SpotKind : std::uint8_t { Point, Thing, Group, Middle, Edge, Shift, B
 struct Spot {
     SpotKind kind = SpotKind::Point;
     Beside beside = Beside::At;
-    Vec2 point;                         ///< For Point [m].
-    std::vector<ThingSpot> things;      ///< For Thing: of several the nearest; for Between: two.
-    GroupId group;                      ///< For Group.
-    Heading heading = Heading::North;   ///< For Edge and Shift, and for what lies off.
-    std::optional<Heading> corner;      ///< For Edge: the other side of a corner.
-    std::optional<double> metres;       ///< For Shift, and from what it names.
-    std::string words;                  ///< "Fountain", "the middle".
+    Vec2 point;                        ///< For Point [m].
+    std::vector<ThingSpot> things;     ///< For Thing: of several the nearest; for Between: two.
+    GroupId group;                     ///< For Group.
+    Heading heading = Heading::North;  ///< For Edge and Shift, and for what lies off.
+    std::optional<Heading> corner;     ///< For Edge: the other side of a corner.
+    std::optional<double> metres;      ///< For Shift, and from what it names.
+    std::string words;                 ///< "Fountain", "the middle".
 };
 
 /// Where a group is to face.
 struct Facing {
     std::optional<Heading> heading;
     std::optional<Spot> at;
-    bool away = false;               ///< From what lies there.
-    std::optional<double> turn;      ///< From where it faces now, to the left [rad].
+    bool away = false;           ///< From what lies there.
+    std::optional<double> turn;  ///< From where it faces now, to the left [rad].
     std::string words;
 };
 
@@ -62,16 +62,16 @@ enum class Side : std::uint8_t { Any, Left, Right, Front, Rear };
 
 /// Who shall do something.
 struct Who {
-    bool named = false;            ///< It says which groups; else those of before, or the chosen ones.
+    bool named = false;  ///< It says which groups; else those of before, or the chosen ones.
     bool everybody = false;
-    bool sameAgain = false;        ///< "they".
+    bool sameAgain = false;  ///< "they".
     std::vector<GroupId> groups;
     std::vector<GroupId> except;
     Amount amount = Amount::All;
     double share = 1.0;
     double count = 0.0;
     Side side = Side::Any;
-    std::optional<Spot> nearest;   ///< Those who are nearest to it.
+    std::optional<Spot> nearest;  ///< Those who are nearest to it.
 };
 
 enum class Verb : std::uint8_t {
@@ -111,20 +111,20 @@ enum class Verb : std::uint8_t {
 /// One thing to do, with all that is said about how.
 struct Act {
     Verb verb = Verb::None;
-    bool then = false;                   ///< After what was said before, or after what is under way.
+    bool then = false;  ///< After what was said before, or after what is under way.
     std::optional<Spot> to;
     std::vector<Spot> via;
     std::optional<FormationKind> form;
     std::int32_t files = 0;
-    std::optional<double> spacing;       ///< [m]
-    double spread = 1.0;                 ///< Factor of the spacing.
+    std::optional<double> spacing;  ///< [m]
+    double spread = 1.0;            ///< Factor of the spacing.
     std::optional<Facing> facing;
-    std::optional<double> pace;          ///< [m/s]
-    double haste = 1.0;                  ///< Share of the usual pace.
-    bool freely = false;                 ///< Each by the shortest way.
+    std::optional<double> pace;  ///< [m/s]
+    double haste = 1.0;          ///< Share of the usual pace.
+    bool freely = false;         ///< Each by the shortest way.
     double seconds = 0.0;
-    std::vector<GroupId> others;         ///< Whom to follow, to guard, to join.
-    std::optional<double> number;        ///< Of parts, of people, of the speed.
+    std::vector<GroupId> others;   ///< Whom to follow, to guard, to join.
+    std::optional<double> number;  ///< Of parts, of people, of the speed.
     std::string name;
     std::optional<std::uint32_t> colour;
 };

@@ -117,7 +117,8 @@ Result<std::vector<GroupId>> Crews::base(const Who& who) {
         groups = restOf(who);
         if (groups.empty()) return sentence("There is nobody else.");
     } else if (who.everybody || (who.nearest && !who.named)) {
-        for (std::size_t g = 0; g < scene_.world.groupCount(); ++g) groups.push_back(scene_.world.group(g).id);
+        for (std::size_t g = 0; g < scene_.world.groupCount(); ++g)
+            groups.push_back(scene_.world.group(g).id);
     } else if (who.named) {
         groups = who.groups;
     } else if (who.amount != Amount::All && !base_.empty()) {
@@ -143,11 +144,16 @@ void Crews::sortBy(std::vector<std::uint32_t>& ids, const Who& who, GroupId grou
         const Vec2 p = placeOf(id);
         const Vec2 own = crew.front.applyInverse(p - crew.middle);
         switch (who.side) {
-            case Side::Left: return -own.y;
-            case Side::Right: return own.y;
-            case Side::Front: return -own.x;
-            case Side::Rear: return own.x;
-            case Side::Any: break;
+            case Side::Left:
+                return -own.y;
+            case Side::Right:
+                return own.y;
+            case Side::Front:
+                return -own.x;
+            case Side::Rear:
+                return own.x;
+            case Side::Any:
+                break;
         }
         return near != nullptr ? distance(p, *near) : -own.x;
     };

@@ -28,8 +28,8 @@ struct Hue {
     std::uint32_t colour;
 };
 constexpr std::array kHues{
-    Hue{"red", 0xC62828},    Hue{"orange", 0xE66A00}, Hue{"yellow", 0xE0B000}, Hue{"green", 0x1E8E3E},
-    Hue{"cyan", 0x0097A7},   Hue{"blue", 0x1D5FD1},   Hue{"purple", 0x8E44AD}, Hue{"pink", 0xE573A5},
+    Hue{"red", 0xC62828},   Hue{"orange", 0xE66A00}, Hue{"yellow", 0xE0B000}, Hue{"green", 0x1E8E3E},
+    Hue{"cyan", 0x0097A7},  Hue{"blue", 0x1D5FD1},   Hue{"purple", 0x8E44AD}, Hue{"pink", 0xE573A5},
     Hue{"white", 0xF5F5F5}, Hue{"grey", 0x808890},   Hue{"black", 0x202020},
 };
 
@@ -112,9 +112,9 @@ std::vector<GroupId> KnownNames::ofColour(std::string_view word) const {
     std::vector<GroupId> groups;
     for (std::size_t g = 0; g < world_.groupCount(); ++g) {
         const GroupView view = world_.group(g);
-        const std::string_view own = view.colour ? hueOf(*view.colour)
-                                                 : kAccents[(view.id.value + kAccents.size() - 1) %
-                                                            kAccents.size()];
+        const std::string_view own = view.colour
+                                         ? hueOf(*view.colour)
+                                         : kAccents[(view.id.value + kAccents.size() - 1) % kAccents.size()];
         if (own == colour) groups.push_back(view.id);
     }
     return groups;

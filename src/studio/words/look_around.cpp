@@ -35,21 +35,28 @@ std::string compass(Vec2 direction) {
 
 std::string orderText(const Order& order, const KnownNames& names) {
     switch (order.kind) {
-        case OrderKind::Move: return "go to " + pointText(order.target);
-        case OrderKind::Face: return "turn";
-        case OrderKind::Follow: return "follow " + (order.group ? names.nameOf(order.group) : "a person");
-        case OrderKind::Guard: return "guard " + (order.group ? names.nameOf(order.group) : pointText(order.target));
-        case OrderKind::Leave: return "leave by an exit";
-        case OrderKind::Wait: return "wait in " + names.thing(NamedKind::Area, order.area.value).name;
-        case OrderKind::Walk: return "walk on";
+        case OrderKind::Move:
+            return "go to " + pointText(order.target);
+        case OrderKind::Face:
+            return "turn";
+        case OrderKind::Follow:
+            return "follow " + (order.group ? names.nameOf(order.group) : "a person");
+        case OrderKind::Guard:
+            return "guard " + (order.group ? names.nameOf(order.group) : pointText(order.target));
+        case OrderKind::Leave:
+            return "leave by an exit";
+        case OrderKind::Wait:
+            return "wait in " + names.thing(NamedKind::Area, order.area.value).name;
+        case OrderKind::Walk:
+            return "walk on";
     }
     return "";
 }
 
 std::string groupLine(const GroupView& group, const KnownNames& names) {
     std::string text = "Group " + std::to_string(group.id.value) + " " + std::string(group.name) + ": " +
-                       std::to_string(group.members.size()) + " people, " + formWord(group.formation) + " at " +
-                       pointText(group.pose.position) + ", facing " +
+                       std::to_string(group.members.size()) + " people, " + formWord(group.formation) +
+                       " at " + pointText(group.pose.position) + ", facing " +
                        compass(group.pose.rotation.apply({1.0, 0.0}));
     if (group.held) text += ", holding";
     if (group.patrols) text += ", patrolling";
@@ -106,7 +113,8 @@ struct Letters {
 
 std::vector<ThingSpot> thingsOf(const World& world, const KnownNames& names) {
     std::vector<ThingSpot> things;
-    for (const ObstacleId id : world.obstacleIds()) things.push_back(names.thing(NamedKind::Obstacle, id.value));
+    for (const ObstacleId id : world.obstacleIds())
+        things.push_back(names.thing(NamedKind::Obstacle, id.value));
     for (const PatchId id : world.patchIds()) things.push_back(names.thing(NamedKind::Patch, id.value));
     for (std::size_t a = 0; a < world.areaCount(); ++a)
         things.push_back(names.thing(NamedKind::Area, world.area(a).id.value));
@@ -119,9 +127,9 @@ std::vector<ThingSpot> thingsOf(const World& world, const KnownNames& names) {
 std::vector<std::string> lookAround(const World& world) {
     const KnownNames names(world);
     const Box box = inspect::environment(world).def().box;
-    std::vector<std::string> lines{"The ground goes from " + pointText(box.min) + " to " + pointText(box.max) +
-                                   " in metres; x points east, y north. Time: " + numberText(world.time()) +
-                                   " s."};
+    std::vector<std::string> lines{
+        "The ground goes from " + pointText(box.min) + " to " + pointText(box.max) +
+        " in metres; x points east, y north. Time: " + numberText(world.time()) + " s."};
     for (std::size_t g = 0; g < world.groupCount(); ++g) lines.push_back(groupLine(world.group(g), names));
     for (const ThingSpot& thing : thingsOf(world, names)) lines.push_back(thingLine(thing));
     if (!world.items().empty()) lines.push_back(std::to_string(world.items().size()) + " items lie about.");
@@ -133,7 +141,9 @@ std::vector<std::string> mapFromAbove(const World& world) {
     Letters letters(inspect::environment(world).def().box);
     std::string key = "# obstacle, ~ patch, E exit or other area";
     for (const ThingSpot& thing : thingsOf(world, names))
-        letters.fill(thing, thing.kind == NamedKind::Obstacle ? '#' : thing.kind == NamedKind::Patch ? '~' : 'E');
+        letters.fill(thing, thing.kind == NamedKind::Obstacle ? '#'
+                            : thing.kind == NamedKind::Patch  ? '~'
+                                                              : 'E');
     for (std::size_t g = 0; g < world.groupCount(); ++g) {
         const char letter = static_cast<char>('a' + g % 26);
         key += std::string(", ") + letter + " " + std::string(world.group(g).name);

@@ -25,7 +25,8 @@ void Planner::queue(QueueEdit edit, All crews, const char* verb, const char* res
 void Planner::form(const Act& act, All crews) {
     if (!changesShape(act)) {
         if (act.facing) return face(act, crews);
-        return fail("Which shape? Say “form a ring”, a line, a column, a square, a wedge, a circle or a crescent.");
+        return fail(
+            "Which shape? Say “form a ring”, a line, a column, a square, a wedge, a circle or a crescent.");
     }
     for (const Crew& crew : crews) {
         ChangeGroup change;
@@ -59,7 +60,8 @@ void Planner::split(const Act& act, All crews) {
         const double parts = act.number.value_or(2.0);
         if (parts < 2.0 || parts > kMostParts || parts != std::floor(parts))
             return fail("Say a number of parts from 2 to 20.");
-        if (parts > crew.count()) return fail(crew.label + " has only " + std::to_string(crew.count()) + " people.");
+        if (parts > crew.count())
+            return fail(crew.label + " has only " + std::to_string(crew.count()) + " people.");
         SplitGroup split;
         split.group = crew.address;
         split.by = SplitBy::Shares;
@@ -74,7 +76,8 @@ void Planner::merge(const Act& act, All crews) {
     std::vector<GroupId> groups = act.others;
     for (const Crew& crew : crews) {
         if (!crew.whole) return fail("Only whole groups can be joined.");
-        if (std::find(groups.begin(), groups.end(), crew.address) == groups.end()) groups.push_back(crew.address);
+        if (std::find(groups.begin(), groups.end(), crew.address) == groups.end())
+            groups.push_back(crew.address);
     }
     if (groups.size() < 2) return fail("Join whom? Say “South joins North”.");
     MergeGroups merge;
@@ -95,7 +98,8 @@ void Planner::rename(const Act& act, All crews) {
 }
 
 void Planner::colour(const Act& act, All crews) {
-    if (!act.colour) return fail("Which colour? Say red, orange, yellow, green, cyan, blue, purple, pink or grey.");
+    if (!act.colour)
+        return fail("Which colour? Say red, orange, yellow, green, cyan, blue, purple, pink or grey.");
     for (const Crew& crew : crews) {
         if (!crew.whole) return fail("Only whole groups have a colour.");
         ChangeGroup change;

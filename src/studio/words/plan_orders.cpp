@@ -12,9 +12,9 @@
 namespace muster::words {
 namespace {
 
-constexpr double kFollowGap = 2.0;   // Behind whom they follow [m].
-constexpr double kGuardGap = 1.5;    // Round what they guard [m].
-constexpr double kGuardHalf = 2.0;   // Round a mere point [m].
+constexpr double kFollowGap = 2.0;  // Behind whom they follow [m].
+constexpr double kGuardGap = 1.5;   // Round what they guard [m].
+constexpr double kGuardHalf = 2.0;  // Round a mere point [m].
 
 std::string metres(double value) {
     return numberText(value) + " m";
@@ -24,7 +24,8 @@ std::string metres(double value) {
 std::string whereTo(const Spot& spot) {
     const std::string heading(nameOf(spot.heading));
     if (spot.kind == SpotKind::Shift) return metres(spot.metres.value_or(10.0)) + " " + heading;
-    if (spot.kind == SpotKind::Point) return "to " + numberText(spot.point.x) + ", " + numberText(spot.point.y);
+    if (spot.kind == SpotKind::Point)
+        return "to " + numberText(spot.point.x) + ", " + numberText(spot.point.y);
     if (spot.kind == SpotKind::Between) return spot.words;
     if (spot.beside == Beside::Off)
         return (spot.metres ? metres(*spot.metres) + " " : "") + heading + " of " + spot.words;
@@ -41,7 +42,8 @@ Vec2 halfSizeOf(const ThingSpot& thing) {
 
 std::string pathText(const std::vector<Spot>& via) {
     std::string text;
-    for (const Spot& spot : via) text += (text.empty() ? " by way of " : " and ") + (spot.words.empty() ? "there" : spot.words);
+    for (const Spot& spot : via)
+        text += (text.empty() ? " by way of " : " and ") + (spot.words.empty() ? "there" : spot.words);
     return text;
 }
 
@@ -57,7 +59,8 @@ void Planner::give(const Crew& crew, Order order, bool then) {
     const bool first = ordered_.insert(crew.address).second;
     if (first) {
         const std::vector<std::uint32_t> ids = crew.whole && crew.label.starts_with("the rest") ? crew.ids
-                                               : crew.whole ? std::vector<std::uint32_t>{} : crew.ids;
+                                               : crew.whole ? std::vector<std::uint32_t>{}
+                                                            : crew.ids;
         result_.previews.push_back({crew.group, ids, order});
     }
     bound_[crew.address] = order.kind == OrderKind::Move ? order.target : whereIs(crew);
@@ -129,8 +132,10 @@ void Planner::moveTo(const Act& act, All crews, const Spot& spot) {
         if (!crew.whole || formations[k] != crew.formation) order.formation = formations[k];
         order.route = routeOf(act, from[k], order.target);
         if (act.freely) order.manner = Manner::Free;
-        if (act.pace) order.pace = *act.pace;
-        else if (act.haste < 1.0) order.pace = scene_.world.parameters().character.maxSpeed * act.haste;
+        if (act.pace)
+            order.pace = *act.pace;
+        else if (act.haste < 1.0)
+            order.pace = scene_.world.parameters().character.maxSpeed * act.haste;
         std::string rest = whereTo(spot);
         if (act.form) rest += " in " + formWord(formations[k].kind);
         if (!act.via.empty()) rest += pathText(act.via);
@@ -144,7 +149,8 @@ void Planner::moveTo(const Act& act, All crews, const Spot& spot) {
 void Planner::goToArea(const Act& act, All crews, const ThingSpot& area) {
     for (const Crew& crew : crews) {
         give(crew, Order::wait(AreaId{area.id}, act.seconds), act.then && fresh_);
-        say(crew, "wait", "in " + area.name + (act.seconds > 0 ? " for " + numberText(act.seconds) + " s" : ""));
+        say(crew, "wait",
+            "in " + area.name + (act.seconds > 0 ? " for " + numberText(act.seconds) + " s" : ""));
     }
 }
 
@@ -154,7 +160,8 @@ void Planner::face(const Act& act, All crews) {
         const auto angle = facingOf(*act.facing, crew, whereIs(crew));
         if (!angle) return fail(crew.label + " is there already.");
         give(crew, Order::face(*angle), act.then && fresh_);
-        say(crew, act.facing->turn ? "turn" : "face", (act.facing->away ? "away from " : "") + act.facing->words);
+        say(crew, act.facing->turn ? "turn" : "face",
+            (act.facing->away ? "away from " : "") + act.facing->words);
     }
 }
 
@@ -183,7 +190,8 @@ void Planner::guard(const Act& act, All crews) {
         if (spot.kind == SpotKind::Thing) {
             const ThingSpot* thing = &spot.things.front();
             for (const ThingSpot& other : spot.things)
-                if (distance(other.centre, crew.middle) < distance(thing->centre, crew.middle)) thing = &other;
+                if (distance(other.centre, crew.middle) < distance(thing->centre, crew.middle))
+                    thing = &other;
             order.halfSize = halfSizeOf(*thing);
         }
         if (spot.kind == SpotKind::Group) {

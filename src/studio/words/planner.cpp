@@ -21,8 +21,10 @@ std::vector<Act> folded(const std::vector<Act>& acts) {
         const bool leads = isOrder(act.verb) && !act.to && act.via.empty() && !act.form && !act.facing;
         if (leads && &act != &acts.back()) continue;  // “Take them and put them there” is one order.
         Act* const before = all.empty() ? nullptr : &all.back();
-        const bool goes = before != nullptr && before->to && (isOrder(before->verb) || before->verb == Verb::Form);
-        const bool stays = act.verb == Verb::Hold || act.verb == Verb::Stop || (act.verb == Verb::Wait && !act.to);
+        const bool goes = before != nullptr && before->to &&
+                          (isOrder(before->verb) || before->verb == Verb::Form);
+        const bool stays = act.verb == Verb::Hold || act.verb == Verb::Stop ||
+                           (act.verb == Verb::Wait && !act.to);
         if (goes && stays) continue;
         const bool shapes = (act.verb == Verb::Form || act.verb == Verb::Space) && !act.to;
         if (goes && !act.then && ((act.verb == Verb::Face && !act.to) || shapes)) {
@@ -38,7 +40,8 @@ std::vector<Act> folded(const std::vector<Act>& acts) {
 }
 
 std::string withS(std::string verb) {
-    const bool es = verb.ends_with("o") || verb.ends_with("sh") || verb.ends_with("ch") || verb.ends_with("ss");
+    const bool es = verb.ends_with("o") || verb.ends_with("sh") || verb.ends_with("ch") ||
+                    verb.ends_with("ss");
     return verb + (es ? "es" : "s");
 }
 
@@ -53,15 +56,24 @@ std::string listed(const std::vector<std::string>& all) {
 
 std::string formWord(FormationKind kind) {
     switch (kind) {
-        case FormationKind::Square: return "a square";
-        case FormationKind::Line: return "a line";
-        case FormationKind::Column: return "a column";
-        case FormationKind::Wedge: return "a wedge";
-        case FormationKind::Ring: return "a ring";
-        case FormationKind::Circle: return "a circle";
-        case FormationKind::Crescent: return "a crescent";
-        case FormationKind::Pacman: return "a disc with a mouth";
-        default: return "their shape";
+        case FormationKind::Square:
+            return "a square";
+        case FormationKind::Line:
+            return "a line";
+        case FormationKind::Column:
+            return "a column";
+        case FormationKind::Wedge:
+            return "a wedge";
+        case FormationKind::Ring:
+            return "a ring";
+        case FormationKind::Circle:
+            return "a circle";
+        case FormationKind::Crescent:
+            return "a crescent";
+        case FormationKind::Pacman:
+            return "a disc with a mouth";
+        default:
+            return "their shape";
     }
 }
 
@@ -97,11 +109,16 @@ bool Planner::planDeed(const Clause& clause) {
         return true;
     };
     switch (act.verb) {
-        case Verb::Play: return deed(WordsDeed::Play, "The world goes on.");
-        case Verb::Pause: return deed(WordsDeed::Pause, "The world pauses.");
-        case Verb::Restart: return deed(WordsDeed::Restart, "Everything begins again.");
-        case Verb::Undo: return deed(WordsDeed::Undo, "What you did last is taken back.");
-        case Verb::Redo: return deed(WordsDeed::Redo, "What you took back is done again.");
+        case Verb::Play:
+            return deed(WordsDeed::Play, "The world goes on.");
+        case Verb::Pause:
+            return deed(WordsDeed::Pause, "The world pauses.");
+        case Verb::Restart:
+            return deed(WordsDeed::Restart, "Everything begins again.");
+        case Verb::Undo:
+            return deed(WordsDeed::Undo, "What you did last is taken back.");
+        case Verb::Redo:
+            return deed(WordsDeed::Redo, "What you took back is done again.");
         case Verb::Pace: {
             const double speed = act.number.value_or(1.0);
             if (speed < 0.1 || speed > 8.0) return fail("Say a speed of 0.1 to 8."), true;
@@ -109,7 +126,8 @@ bool Planner::planDeed(const Clause& clause) {
             result_.sentences.push_back("Time goes " + numberText(speed) + " times as fast as in life.");
             return true;
         }
-        default: return false;
+        default:
+            return false;
     }
 }
 
@@ -147,36 +165,60 @@ void Planner::planClause(const Clause& clause) {
 void Planner::planAct(const Act& act, All crews) {
     switch (act.verb) {
         case Verb::None:
-        case Verb::Move: return move(act, crews);
-        case Verb::Face: return face(act, crews);
-        case Verb::Follow: return follow(act, crews);
-        case Verb::Guard: return guard(act, crews);
-        case Verb::Leave: return leave(act, crews);
-        case Verb::Wait: return act.to ? move(act, crews) : queue(QueueEdit::Hold, crews, "hold", "");
-        case Verb::Walk: return walk(act, crews);
-        case Verb::Stop: return queue(QueueEdit::Stop, crews, "stop", "");
-        case Verb::Hold: return queue(QueueEdit::Hold, crews, "hold", "");
-        case Verb::Resume: return queue(QueueEdit::Resume, crews, "go", "on");
-        case Verb::Patrol: return patrol(act, crews);
-        case Verb::EndPatrol: return queue(QueueEdit::EndPatrol, crews, "end", "the patrol");
-        case Verb::Form: return act.to ? move(act, crews) : form(act, crews);
-        case Verb::Space: return act.to ? move(act, crews) : space(act, crews);
-        case Verb::Split: return split(act, crews);
-        case Verb::Merge: return merge(act, crews);
-        case Verb::Swap: return swap(act, crews);
-        case Verb::Name: return rename(act, crews);
-        case Verb::Colour: return colour(act, crews);
-        case Verb::Faster: return hurry(4.0 / 3.0, crews);
-        case Verb::Slower: return hurry(0.75, crews);
-        case Verb::Add: return add(act, crews);
+        case Verb::Move:
+            return move(act, crews);
+        case Verb::Face:
+            return face(act, crews);
+        case Verb::Follow:
+            return follow(act, crews);
+        case Verb::Guard:
+            return guard(act, crews);
+        case Verb::Leave:
+            return leave(act, crews);
+        case Verb::Wait:
+            return act.to ? move(act, crews) : queue(QueueEdit::Hold, crews, "hold", "");
+        case Verb::Walk:
+            return walk(act, crews);
+        case Verb::Stop:
+            return queue(QueueEdit::Stop, crews, "stop", "");
+        case Verb::Hold:
+            return queue(QueueEdit::Hold, crews, "hold", "");
+        case Verb::Resume:
+            return queue(QueueEdit::Resume, crews, "go", "on");
+        case Verb::Patrol:
+            return patrol(act, crews);
+        case Verb::EndPatrol:
+            return queue(QueueEdit::EndPatrol, crews, "end", "the patrol");
+        case Verb::Form:
+            return act.to ? move(act, crews) : form(act, crews);
+        case Verb::Space:
+            return act.to ? move(act, crews) : space(act, crews);
+        case Verb::Split:
+            return split(act, crews);
+        case Verb::Merge:
+            return merge(act, crews);
+        case Verb::Swap:
+            return swap(act, crews);
+        case Verb::Name:
+            return rename(act, crews);
+        case Verb::Colour:
+            return colour(act, crews);
+        case Verb::Faster:
+            return hurry(4.0 / 3.0, crews);
+        case Verb::Slower:
+            return hurry(0.75, crews);
+        case Verb::Add:
+            return add(act, crews);
         case Verb::Reverse:
             for (const Crew& crew : crews) {
                 commandsFor(crew).push_back(ReverseQueue{crew.address});
                 say(crew, "go", "through the orders from the last to the first");
             }
             return;
-        case Verb::Skip: return skip(crews);
-        default: return fail("Say that in a sentence of its own.");
+        case Verb::Skip:
+            return skip(crews);
+        default:
+            return fail("Say that in a sentence of its own.");
     }
 }
 

@@ -68,10 +68,10 @@ private:
     const KnownNames& names_;
     Crews crews_;
     Understood result_;
-    std::vector<CommandBody> orders_;         // Of groups that stay what they are.
-    std::map<GroupId, Vec2> bound_;           // Where crews will be after their orders so far.
-    std::set<GroupId> ordered_;               // To whom orders were given.
-    bool fresh_ = true;                       // The act is the first of its clause.
+    std::vector<CommandBody> orders_;  // Of groups that stay what they are.
+    std::map<GroupId, Vec2> bound_;    // Where crews will be after their orders so far.
+    std::set<GroupId> ordered_;        // To whom orders were given.
+    bool fresh_ = true;                // The act is the first of its clause.
 
     /// What is said of a crew; those of whom the same is said share a sentence.
     struct Saying {

@@ -23,11 +23,15 @@ bool Reader::readObject(Act& act) {
             if (auto facing = readFacing()) return act.facing = std::move(facing), true;
             return false;
         case Verb::Follow:
-        case Verb::Guard: return readTarget(act);
+        case Verb::Guard:
+            return readTarget(act);
         case Verb::Merge:
-        case Verb::Split: return readParts(act);
-        case Verb::Name: return readName(act);
-        case Verb::Add: return readAdded(act);
+        case Verb::Split:
+            return readParts(act);
+        case Verb::Name:
+            return readName(act);
+        case Verb::Add:
+            return readAdded(act);
         case Verb::Space: {
             const Token& verb = tokens_[at_ - 1];
             const std::string& first = tokens_[at_ > 1 ? at_ - 2 : 0].text;
@@ -36,7 +40,8 @@ bool Reader::readObject(Act& act) {
                                 first == "squeeze" || first.starts_with("close") || first == "bunch" ||
                                 verb.text == "narrow" || verb.text == "closer" || verb.text == "together";
             act.spread = narrow ? 1.0 / kWider : kWider;
-            while (take({"up", "out"})) {}
+            while (take({"up", "out"})) {
+            }
             return true;
         }
         case Verb::Pace: {
@@ -46,7 +51,8 @@ bool Reader::readObject(Act& act) {
             take({"x", "times"});
             return true;
         }
-        default: return false;
+        default:
+            return false;
     }
 }
 
@@ -163,14 +169,14 @@ bool Reader::readSpacing() {
         }
     }
     if (metres) {
-        if (*metres < kDensest || *metres > kSparsest)
-            return fail("Say a spacing of 0.3 to 20 m."), true;
+        if (*metres < kDensest || *metres > kSparsest) return fail("Say a spacing of 0.3 to 20 m."), true;
         act().spacing = metres;
         if (act().verb == Verb::None) act().verb = Verb::Space;
         return true;
     }
     at_ = before;
-    const bool wider = isOneOf({"wider", "looser"}), closer = isOneOf({"narrower", "tighter", "denser", "closer"});
+    const bool wider = isOneOf({"wider", "looser"}),
+               closer = isOneOf({"narrower", "tighter", "denser", "closer"});
     if ((!wider && !closer) || (closer && word(1) == "to")) return false;
     ++at_;
     take({"together", "apart"});
@@ -183,7 +189,8 @@ bool Reader::readSpacing() {
 // "slowly", "at 1 m/s", "each by the shortest way"
 bool Reader::readPace() {
     const std::size_t before = at_;
-    if (take({"slowly", "calmly", "quietly"}) || takePhrase("at walking pace")) return act().haste = 0.5, true;
+    if (take({"slowly", "calmly", "quietly"}) || takePhrase("at walking pace"))
+        return act().haste = 0.5, true;
     if (take({"freely", "individually", "separately"}) || takePhrase("by the shortest way") ||
         takePhrase("each on their own") || takePhrase("on their own"))
         return act().freely = true, true;
@@ -271,7 +278,8 @@ bool Reader::readPreposition() {
         clause().acts.back().colour = colourOf(word());
         return ++at_, true;
     }
-    if (verb == Verb::Space && take({"out", "up", "apart", "together", "more", "a", "bit", "ranks"})) return true;
+    if (verb == Verb::Space && take({"out", "up", "apart", "together", "more", "a", "bit", "ranks"}))
+        return true;
     if (verb == Verb::Swap && take({"places", "positions", "sides", "with", "spots"})) return true;
     if (verb == Verb::Swap)
         if (auto groups = readGroup(); !groups.empty()) return last->others = std::move(groups), true;
@@ -295,7 +303,8 @@ bool Reader::readPreposition() {
         if (!last->to) failAtWord();
         return true;
     }
-    if (take({"home"})) return fail("I do not know where home is: say a place, as “the middle” or “5, 3”."), true;
+    if (take({"home"}))
+        return fail("I do not know where home is: say a place, as “the middle” or “5, 3”."), true;
     auto spot = readSpot();
     if (!spot) return at_ = before, false;
     Act& how = act();

@@ -16,7 +16,8 @@ bool Reader::isGroupHere() const {
     std::size_t skip = 0;
     while (isOneOf({"to", "at", "the"}, skip)) ++skip;
     const auto found = names_.startOf(rest(skip), true);
-    return !found.empty() && !isOneOf({"side", "edge", "end", "corner", "wall", "of"}, skip + found.front()->words.size());
+    return !found.empty() &&
+           !isOneOf({"side", "edge", "end", "corner", "wall", "of"}, skip + found.front()->words.size());
 }
 
 std::optional<Spot> Reader::readSpot(bool named) {
@@ -57,8 +58,9 @@ std::optional<Spot> Reader::readNamed() {
         ++at_;
         if (take({"of"})) {
             skipArticles();
-            if (take({"map", "place", "ground", "square", "room", "field", "stage", "scene", "screen", "floor"})) {}
-            else if (auto thing = readThing())
+            if (take({"map", "place", "ground", "square", "room", "field", "stage", "scene", "screen",
+                      "floor"})) {
+            } else if (auto thing = readThing())
                 return thing;
         }
         Spot spot;
@@ -165,7 +167,8 @@ std::optional<Spot> Reader::readShift() {
     if (!heading && spot.metres && takePhrase("in front of")) heading = Heading::Forward, at_ -= 1;
     if (!heading) return at_ = before, std::nullopt;
     spot.heading = *heading;
-    if (take({"by", "for", "about"})) {}
+    if (take({"by", "for", "about"})) {
+    }
     if (!spot.metres) readMetres();
     if (spot.metres && (*spot.metres > kMostMetres || *spot.metres < 0.0))
         fail("Say a distance of 0 to 100,000 metres.");
@@ -188,7 +191,8 @@ std::optional<Spot> Reader::readEdge() {
     const std::size_t before = at_;
     skipArticles();
     const auto heading = readHeading();
-    if (!heading || !take({"side", "edge", "end", "corner", "wall", "border"})) return at_ = before, std::nullopt;
+    if (!heading || !take({"side", "edge", "end", "corner", "wall", "border"}))
+        return at_ = before, std::nullopt;
     Spot spot;
     spot.kind = SpotKind::Edge;
     spot.heading = *heading;
@@ -236,7 +240,8 @@ std::optional<Facing> Reader::readFacing() {
         take({"to", "the"});
         take({"the"});
         const bool right = isOneOf({"right", "clockwise"});
-        if (take({"left", "right", "clockwise", "counterclockwise", "anticlockwise"})) {}
+        if (take({"left", "right", "clockwise", "counterclockwise", "anticlockwise"})) {
+        }
         facing.turn = right ? -angle : angle;
         facing.words = right ? "right" : "left";
         return facing;

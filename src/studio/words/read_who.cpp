@@ -19,7 +19,8 @@ std::optional<Who> Reader::readWho() {
     if (isOneOf({"they", "them", "it", "he", "she"}) || takePhrase("this group") ||
         takePhrase("these groups") || takePhrase("the chosen") || takePhrase("the selected")) {
         if (isOneOf({"they", "them", "it", "he", "she"})) ++at_;
-        if (take({"group", "groups", "people"})) {}
+        if (take({"group", "groups", "people"})) {
+        }
         who.sameAgain = true;
         return who;
     }
@@ -40,7 +41,8 @@ std::optional<Who> Reader::readWho() {
 bool Reader::readAmount(Who& who) {
     if (readSide(who) || readShare(who) || readCount(who)) return problem_.empty();
     skipArticles();
-    if (!isRest(word()) || (word() == "other" && !isOneOf({"half", "people", "ones", "third"}, 1))) return false;
+    if (!isRest(word()) || (word() == "other" && !isOneOf({"half", "people", "ones", "third"}, 1)))
+        return false;
     ++at_;
     who.amount = Amount::Rest;
     take({"half", "people", "ones", "third", "two", "groups"});
@@ -55,11 +57,11 @@ bool Reader::readAmount(Who& who) {
 bool Reader::readSide(Who& who) {
     const std::size_t before = at_;
     skipArticles();
-    const auto side = isOneOf({"left"})                            ? Side::Left
-                      : isOneOf({"right"})                         ? Side::Right
-                      : isOneOf({"front", "first", "foremost"})    ? Side::Front
+    const auto side = isOneOf({"left"})                           ? Side::Left
+                      : isOneOf({"right"})                        ? Side::Right
+                      : isOneOf({"front", "first", "foremost"})   ? Side::Front
                       : isOneOf({"back", "rear", "last", "hind"}) ? Side::Rear
-                                                                   : Side::Any;
+                                                                  : Side::Any;
     if (side != Side::Any) {
         take({word()});
         take({"hand"});

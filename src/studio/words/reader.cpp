@@ -129,7 +129,8 @@ void Reader::fail(std::string problem) {
 }
 
 void Reader::failAtWord() {
-    if (atEnd()) return fail("Something is missing at the end: say who, what and where, as “North go to 5, 0”.");
+    if (atEnd())
+        return fail("Something is missing at the end: say who, what and where, as “North go to 5, 0”.");
     const Token& token = tokens_[at_];
     const std::string said(text_.substr(token.from, token.end - token.from));
     const std::string other = guess(token);
@@ -189,7 +190,8 @@ void Reader::skipArticles() {
 }
 
 bool Reader::isEndOfClause(std::size_t skip) const {
-    return at_ + skip >= tokens_.size() || isOneOf({",", ";", ".", ":", "!", "?", "and", "then", "while", "but"}, skip);
+    return at_ + skip >= tokens_.size() ||
+           isOneOf({",", ";", ".", ":", "!", "?", "and", "then", "while", "but"}, skip);
 }
 
 }  // namespace muster::words

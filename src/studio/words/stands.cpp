@@ -13,9 +13,9 @@
 namespace muster::words {
 namespace {
 
-constexpr double kGap = 1.0;          // Between a formation and what it stands beside [m].
-constexpr double kMargin = 3.0;       // Between an edge of the place and who goes there [m].
-constexpr double kShift = 10.0;       // How far "north" is where nothing is said [m].
+constexpr double kGap = 1.0;           // Between a formation and what it stands beside [m].
+constexpr double kMargin = 3.0;        // Between an edge of the place and who goes there [m].
+constexpr double kShift = 10.0;        // How far "north" is where nothing is said [m].
 constexpr double kMostSpacing = 20.0;  // [m]
 constexpr int kPasses = 64;
 
@@ -82,27 +82,27 @@ Vec2 sideOf(const Spot& spot, const World& world, const Core& core, const Crew& 
     return towards;
 }
 
-/// One of several who stand round a core.
-struct Seat {
+/// The direction of one of several who stand round a core.
+struct Bearing {
     double angle = 0.0;
     double half = 0.0;  // Half the angle that it takes up.
     std::size_t crew = 0;
 };
 
-/// Pushes seats apart until none is in another one. False where there is no room for all.
-bool part(std::vector<Seat>& seats) {
+/// Pushes them apart until none is in another one. False where there is no room for all.
+bool part(std::vector<Bearing>& bearings) {
     double sum = 0.0;
-    for (const Seat& seat : seats) sum += 2.0 * seat.half;
+    for (const Bearing& bearing : bearings) sum += 2.0 * bearing.half;
     if (sum > 2.0 * kPi) return false;
-    std::sort(seats.begin(), seats.end(), [](const Seat& a, const Seat& b) {
+    std::sort(bearings.begin(), bearings.end(), [](const Bearing& a, const Bearing& b) {
         return std::pair(a.angle, a.crew) < std::pair(b.angle, b.crew);
     });
     for (int pass = 0; pass < kPasses; ++pass)
-        for (std::size_t k = 0; k < seats.size(); ++k) {
-            Seat &a = seats[k], &b = seats[(k + 1) % seats.size()];
-            const double turn = k + 1 == seats.size() ? 2.0 * kPi : 0.0;
+        for (std::size_t k = 0; k < bearings.size(); ++k) {
+            Bearing &a = bearings[k], &b = bearings[(k + 1) % bearings.size()];
+            const double turn = k + 1 == bearings.size() ? 2.0 * kPi : 0.0;
             const double missing = a.half + b.half - (b.angle + turn - a.angle);
-            if (missing <= 0.0 || seats.size() < 2) continue;
+            if (missing <= 0.0 || bearings.size() < 2) continue;
             a.angle -= missing / 2.0;
             b.angle += missing / 2.0;
         }
@@ -148,10 +148,14 @@ Vec2 directionOf(Heading heading, Rotation front) {
     const auto number = static_cast<double>(heading);
     if (isCompass(heading)) return {cosine(number * kPi / 4.0), sine(number * kPi / 4.0)};
     switch (heading) {
-        case Heading::Left: return front.apply({0.0, 1.0});
-        case Heading::Right: return front.apply({0.0, -1.0});
-        case Heading::Back: return front.apply({-1.0, 0.0});
-        default: return front.apply({1.0, 0.0});
+        case Heading::Left:
+            return front.apply({0.0, 1.0});
+        case Heading::Right:
+            return front.apply({0.0, -1.0});
+        case Heading::Back:
+            return front.apply({-1.0, 0.0});
+        default:
+            return front.apply({1.0, 0.0});
     }
 }
 
@@ -160,23 +164,35 @@ Vec2 pointOf(const Spot& spot, const World& world, const Crew& from) {
     Vec2 point = spot.point;
     Rotation front = from.front;
     switch (spot.kind) {
-        case SpotKind::Point: break;
-        case SpotKind::Thing: point = nearestOf(spot.things, from.middle).centre; break;
+        case SpotKind::Point:
+            break;
+        case SpotKind::Thing:
+            point = nearestOf(spot.things, from.middle).centre;
+            break;
         case SpotKind::Group:
-            if (const auto g = inspect::indexOfGroup(world, spot.group)) point = world.group(*g).pose.position;
+            if (const auto g = inspect::indexOfGroup(world, spot.group))
+                point = world.group(*g).pose.position;
             front = frontOf(world, spot.group);
             break;
-        case SpotKind::Middle: point = (box.min + box.max) * 0.5; break;
-        case SpotKind::Edge: point = edgePoint(spot.heading, box); break;
+        case SpotKind::Middle:
+            point = (box.min + box.max) * 0.5;
+            break;
+        case SpotKind::Edge:
+            point = edgePoint(spot.heading, box);
+            break;
         case SpotKind::Shift:
             point = from.middle + directionOf(spot.heading, front) * spot.metres.value_or(kShift);
             break;
-        case SpotKind::Between: point = (spot.things[0].centre + spot.things[1].centre) * 0.5; break;
+        case SpotKind::Between:
+            point = (spot.things[0].centre + spot.things[1].centre) * 0.5;
+            break;
     }
     if (spot.beside == Beside::Off) {
         const Vec2 away = directionOf(spot.heading, front);
-        const double reach = spot.kind == SpotKind::Thing ? nearestOf(spot.things, from.middle).reach(away) : 0.0;
-        point += away * (spot.metres ? *spot.metres + reach : reach + extentOf(from.formation, from.count()).farthest() + kGap);
+        const double reach = spot.kind == SpotKind::Thing ? nearestOf(spot.things, from.middle).reach(away)
+                                                          : 0.0;
+        point += away * (spot.metres ? *spot.metres + reach
+                                     : reach + extentOf(from.formation, from.count()).farthest() + kGap);
     }
     return point;
 }
@@ -198,10 +214,10 @@ std::vector<Stand> standsAt(const Spot& spot, const World& world, const std::vec
     }
     if (round && spot.beside != Beside::Near) return rings(core, crews, formations);
     if (core.isFree() && crews.size() == 1) return {Stand{core.centre, {}, {}}};
-    std::vector<Seat> seats;
+    std::vector<Bearing> bearings;
     std::vector<Stand> stands(crews.size());
     for (double away = kGap; stands.size() > 0; away = away * 1.25 + 0.5) {
-        seats.clear();
+        bearings.clear();
         std::vector<double> distances;
         for (std::size_t k = 0; k < crews.size(); ++k) {
             const Vec2 side = sideOf(spot, world, core, crews[k]);
@@ -209,13 +225,13 @@ std::vector<Stand> standsAt(const Spot& spot, const World& world, const std::vec
             const double far = core.reach(side) + extent.front + away;
             distances.push_back(far);
             const double near = std::max(0.5, far - extent.front);
-            seats.push_back({arcTangent2(side.y, side.x), arcTangent2(extent.side + kGap / 2.0, near), k});
+            bearings.push_back({arcTangent2(side.y, side.x), arcTangent2(extent.side + kGap / 2.0, near), k});
         }
-        if (!part(seats) && away < 1e3) continue;
-        for (const Seat& seat : seats) {
-            const Vec2 side{cosine(seat.angle), sine(seat.angle)};
-            const double far = std::max(distances[seat.crew], core.reach(side) + away);
-            stands[seat.crew] = {core.centre + side * far, arcTangent2(-side.y, -side.x), {}};
+        if (!part(bearings) && away < 1e3) continue;
+        for (const Bearing& bearing : bearings) {
+            const Vec2 side{cosine(bearing.angle), sine(bearing.angle)};
+            const double far = std::max(distances[bearing.crew], core.reach(side) + away);
+            stands[bearing.crew] = {core.centre + side * far, arcTangent2(-side.y, -side.x), {}};
         }
         break;
     }

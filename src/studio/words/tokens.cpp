@@ -8,11 +8,11 @@ namespace muster::words {
 namespace {
 
 constexpr std::array<std::pair<std::string_view, double>, 26> kNumberWords{
-    {{"zero", 0},     {"one", 1},       {"two", 2},       {"three", 3},    {"four", 4},      {"five", 5},
-     {"six", 6},      {"seven", 7},     {"eight", 8},     {"nine", 9},     {"ten", 10},      {"eleven", 11},
-     {"twelve", 12},  {"thirteen", 13}, {"fourteen", 14}, {"fifteen", 15}, {"sixteen", 16},  {"twenty", 20},
-     {"thirty", 30},  {"forty", 40},    {"fifty", 50},    {"sixty", 60},   {"hundred", 100}, {"dozen", 12},
-     {"couple", 2},   {"seventeen", 17}}};
+    {{"zero", 0},    {"one", 1},       {"two", 2},       {"three", 3},    {"four", 4},      {"five", 5},
+     {"six", 6},     {"seven", 7},     {"eight", 8},     {"nine", 9},     {"ten", 10},      {"eleven", 11},
+     {"twelve", 12}, {"thirteen", 13}, {"fourteen", 14}, {"fifteen", 15}, {"sixteen", 16},  {"twenty", 20},
+     {"thirty", 30}, {"forty", 40},    {"fifty", 50},    {"sixty", 60},   {"hundred", 100}, {"dozen", 12},
+     {"couple", 2},  {"seventeen", 17}}};
 constexpr std::size_t kMostDigits = 9;
 
 bool isDigit(char c) {
@@ -85,7 +85,8 @@ private:
     void word() {
         std::size_t end = at_ + 1;
         const auto joins = [&](std::size_t at) {
-            return (text_[at] == '-' || text_[at] == '\'') && at + 1 < text_.size() && isLetter(text_[at + 1]);
+            return (text_[at] == '-' || text_[at] == '\'') && at + 1 < text_.size() &&
+                   isLetter(text_[at + 1]);
         };
         while (end < text_.size() && (isLetter(text_[end]) || joins(end))) ++end;
         put(end);

@@ -31,7 +31,7 @@ struct WordsPart {
 
 /// The first order of a group or a part, to be shown before it is given.
 struct WordsPreview {
-    GroupId group;                  ///< The group that they are in now.
+    GroupId group;                   ///< The group that they are in now.
     std::vector<std::uint32_t> ids;  ///< The people of a part; empty for the whole group.
     Order order;
 };

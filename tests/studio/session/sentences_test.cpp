@@ -97,8 +97,8 @@ std::size_t rightOf(std::span<const Sentence> sentences) {
         const bool good = said.problem.empty() && stage.client.noticed("rejected").empty() &&
                           sentence.good(stage);
         right += good ? 1u : 0u;
-        WARN_MESSAGE(good, std::string(sentence.text) << " -> " << said.problem << " "
-                                                      << stage.client.noticed("rejected"));
+        WARN_MESSAGE(good, std::string(sentence.text)
+                               << " -> " << said.problem << " " << stage.client.noticed("rejected"));
     }
     return right;
 }
@@ -109,8 +109,6 @@ TEST_CASE("sentences: what people type comes to pass") {
     CHECK(rightOf(kSentences) == std::size(kSentences));
 }
 
-TEST_CASE("sentences: most of those come to pass that the grammar was not made for") {
-    const std::size_t right = rightOf(kUnseenSentences);
-    MESSAGE(right << " of " << std::size(kUnseenSentences) << " unseen sentences");
-    CHECK(right >= 8);
+TEST_CASE("sentences: those come to pass that were written after the grammar") {
+    CHECK(rightOf(kUnseenSentences) == std::size(kUnseenSentences));
 }

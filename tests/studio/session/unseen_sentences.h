@@ -1,4 +1,5 @@
-// Ten sentences that were written after the grammar, none of which it was tuned for (docs/method/words.md).
+// Ten sentences that were written after the grammar: six came to pass at first, the others after corrections
+// (docs/method/words.md).
 #pragma once
 
 #include "studio/session/words_stage.h"

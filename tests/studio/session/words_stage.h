@@ -19,18 +19,17 @@ inline Polygon wordsBox(double x0, double y0, double x1, double y1) {
 /// North, South and the Red guard round a fountain, with exits, a waiting room, a hall and a pool.
 inline WorldDef wordsSquare() {
     WorldDef def{.name = "Square", .box = {{-30, -30}, {30, 30}}};
-    def.groups = {
-        {.name = "North", .count = 40, .position = {0, 15}, .angle = -kPi / 2},
-        {.name = "South",
-         .count = 24,
-         .formation = {.kind = FormationKind::Wedge},
-         .position = {0, -15},
-         .angle = kPi / 2},
-        {.name = "Red guard",
-         .count = 20,
-         .formation = {.kind = FormationKind::Line},
-         .position = {-12, 0},
-         .colour = 0xC02020u}};
+    def.groups = {{.name = "North", .count = 40, .position = {0, 15}, .angle = -kPi / 2},
+                  {.name = "South",
+                   .count = 24,
+                   .formation = {.kind = FormationKind::Wedge},
+                   .position = {0, -15},
+                   .angle = kPi / 2},
+                  {.name = "Red guard",
+                   .count = 20,
+                   .formation = {.kind = FormationKind::Line},
+                   .position = {-12, 0},
+                   .colour = 0xC02020u}};
     def.obstacles = {{.name = "Fountain", .centre = {14, 0}, .radius = 2.0},
                      {.name = "Town hall", .polygon = wordsBox(-26, 14, -18, 20)}};
     def.areas = {{.name = "Main exit", .kind = AreaKind::Exit, .polygon = wordsBox(27, -28, 30, -24)},

@@ -26,12 +26,13 @@ World madeWorld() {
 }
 
 const char* const kPieces[] = {
-    "north",   "North 2", "half",   "of",     "the",   "rest",  "10",     "-3.5",  "m",       "%",
-    ",",       "and",     "then",   "go",     "to",    "split", "merge",  "into",  "three",   "ring",
-    "in",      "a",       "face",   "left",   "guard", "wall",  "follow", "leave", "by",      "exit",
-    "nearest", "people",  "wait",   "for",    "s",     "swap",  "rename", "red",   "between", "around",
-    "north wall", "everybody", "except", "patrol", "spacing", "2", "apart", "they", "with", "turn",
-    "undo", "pause", "speed", "next", "not", "\xff\xfe", "é", "\"", "(", "99999999999", "degrees", "as", ".",
+    "north",  "North 2",  "half",    "of",      "the",        "rest",        "10",      "-3.5",   "m",
+    "%",      ",",        "and",     "then",    "go",         "to",          "split",   "merge",  "into",
+    "three",  "ring",     "in",      "a",       "face",       "left",        "guard",   "wall",   "follow",
+    "leave",  "by",       "exit",    "nearest", "people",     "wait",        "for",     "s",      "swap",
+    "rename", "red",      "between", "around",  "north wall", "everybody",   "except",  "patrol", "spacing",
+    "2",      "apart",    "they",    "with",    "turn",       "undo",        "pause",   "speed",  "next",
+    "not",    "\xff\xfe", "é",       "\"",      "(",          "99999999999", "degrees", "as",     ".",
 };
 
 }  // namespace

@@ -9,8 +9,8 @@ namespace muster {
 namespace {
 
 constexpr std::size_t kMostText = 1000;  // [bytes]
-constexpr std::size_t kMostLabel = 60;   // [bytes]
-constexpr std::size_t kMostWaiting = 256;
+constexpr std::size_t kMostSaid = 60;    // [bytes]
+constexpr std::size_t kMostSpoken = 256;
 constexpr std::size_t kMostShown = 20;  // Parts with a forecast.
 
 std::string lines(const std::vector<std::string>& all) {
@@ -21,8 +21,8 @@ std::string lines(const std::vector<std::string>& all) {
 
 /// The sentence as a history shows it.
 std::string labelOf(const std::string& text) {
-    if (text.size() <= kMostLabel) return text;
-    std::size_t end = kMostLabel;
+    if (text.size() <= kMostSaid) return text;
+    std::size_t end = kMostSaid;
     while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
     return text.substr(0, end) + "...";
 }
@@ -32,7 +32,8 @@ std::string labelOf(const std::string& text) {
 Result<protocol::Said> Session::Impl::say(SessionClient& client, const protocol::Say& message) {
     if (!world) return Status(StatusCode::NotFound, "there is no world yet");
     if (message.text.size() > kMostText)
-        return Status(StatusCode::LimitExceeded, "found a sentence of " + std::to_string(message.text.size()) +
+        return Status(StatusCode::LimitExceeded, "found a sentence of " +
+                                                     std::to_string(message.text.size()) +
                                                      " bytes, expected at most " + std::to_string(kMostText));
     protocol::Said said;
     said.number = message.number;
@@ -65,15 +66,21 @@ Result<protocol::Said> Session::Impl::say(SessionClient& client, const protocol:
 Status Session::Impl::carryOut(SessionClient& client, Understood understood, const std::string& label) {
     using protocol::PlaybackAction;
     switch (understood.deed) {
-        case WordsDeed::None: break;
-        case WordsDeed::Play: return handle(client, protocol::Playback{PlaybackAction::Play});
-        case WordsDeed::Pause: return handle(client, protocol::Playback{PlaybackAction::Pause});
-        case WordsDeed::Restart: return handle(client, protocol::Playback{PlaybackAction::Restart});
-        case WordsDeed::Undo: return undoEdit(client, false);
-        case WordsDeed::Redo: return undoEdit(client, true);
+        case WordsDeed::None:
+            break;
+        case WordsDeed::Play:
+            return handle(client, protocol::Playback{PlaybackAction::Play});
+        case WordsDeed::Pause:
+            return handle(client, protocol::Playback{PlaybackAction::Pause});
+        case WordsDeed::Restart:
+            return handle(client, protocol::Playback{PlaybackAction::Restart});
+        case WordsDeed::Undo:
+            return undoEdit(client, false);
+        case WordsDeed::Redo:
+            return undoEdit(client, true);
     }
     if (understood.speed) return handle(client, protocol::SetSpeed{static_cast<float>(*understood.speed)});
-    if (spoken.size() + understood.parts.size() > kMostWaiting)
+    if (spoken.size() + understood.parts.size() > kMostSpoken)
         return {StatusCode::LimitExceeded, "Too many sentences wait for the next step"};
     const std::uint32_t sentence = editor.nextSentence();
     if (!understood.edits.empty()) {
@@ -91,7 +98,8 @@ Status Session::Impl::carryOut(SessionClient& client, Understood understood, con
         if (!status.ok()) return status;
     }
     if (!waits) return {};
-    spoken.push_back({client.number, sentence, label, std::move(understood.parts), std::move(understood.followers)});
+    spoken.push_back(
+        {client.number, sentence, label, std::move(understood.parts), std::move(understood.followers)});
     // Parts are there after one step, also of a world that is paused.
     if (!playing) singleSteps = std::max(singleSteps, 1);
     return {};

@@ -12,7 +12,7 @@ namespace muster {
 
 /// The rest of a sentence of a director, which waits for its parts.
 struct SpokenRest {
-    std::uint32_t client = 0;   ///< Number of the director.
+    std::uint32_t client = 0;    ///< Number of the director.
     std::uint32_t sentence = 0;  ///< Its commands and these are one step of the history.
     std::string label;
     std::vector<WordsPart> parts;
