@@ -13,6 +13,7 @@ void addImportCommand(CommandLine& line);
 void addExportCommand(CommandLine& line);
 void addStudyCommand(CommandLine& line);
 void addSiteCommand(CommandLine& line);
+void addMcpCommand(CommandLine& line);
 
 // Commands of `muster study`.
 void addStudyRunCommand(Subcommand& study);

@@ -14,6 +14,7 @@ void addCommands(muster::CommandLine& line) {
     muster::addExportCommand(line);
     muster::addStudyCommand(line);
     muster::addSiteCommand(line);
+    muster::addMcpCommand(line);
     muster::addLabCommands(line);
 }
 

@@ -8,6 +8,7 @@ import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { demonstrationTests } from './demonstration.mjs';
 import { lanTests } from './lan.mjs';
+import { mcpTests } from './mcp.mjs';
 import { processTests } from './process.mjs';
 import { watchBodies, watchQueue, watchSilence } from './slow.mjs';
 import { studyTests } from './study.mjs';
@@ -402,6 +403,7 @@ await test('the studio still answers', async () => {
 
 await takesTests({ test, check, start, place });
 await placesTests({ test, check, start, program, place });
+await mcpTests({ test, check, start, program });
 await studyTests({ test, check, program, place });
 await processTests({ test, check, start, program, common, place });
 

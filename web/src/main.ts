@@ -24,6 +24,7 @@ import { openSharedLazily } from './ui/directors/lazy_shared';
 import { openBuildLazily } from './ui/build/lazy_build';
 import { openMeasuresLazily } from './ui/measures/lazy_measures';
 import { openPathsLazily } from './ui/takes/lazy_path';
+import { openWordsLazily } from './ui/orders/lazy_words';
 import { openSequenceLazily } from './ui/formations/lazy_sequence';
 import { openLinksLazily } from './ui/places/lazy_links';
 import { openPlacesLazily } from './ui/places/lazy_places';
@@ -77,6 +78,7 @@ async function start(mode: string | undefined): Promise<object> {
   openBuildLazily({ ...parts, history: app.orders.history });
   openPathsLazily(parts);
   openMeasuresLazily(parts);
+  openWordsLazily(parts, () => app.frame);
   openSequenceLazily({ ...parts, queues: app.orders.queues, frame: () => app.frame });
   const standby = kAbout['standby'];
   if (standby !== undefined)

@@ -43,6 +43,7 @@ import * as paths from './cases/path.mjs';
 import * as takes from './cases/takes.mjs';
 import * as touch from './cases/touch.mjs';
 import * as undo from './cases/undo.mjs';
+import * as words from './cases/words.mjs';
 import { chosenCases } from './support/chosen_cases.mjs';
 import { openChromium } from './support/chromium.mjs';
 import { startMadeCrowd } from './support/made_crowd.mjs';
@@ -111,6 +112,12 @@ const kCases = [
   ['standing: ten drags', standing.tenDrags, ['desktop'], kOpen],
   ['orders: conduct', orders.conduct, [...kTablets, 'phone'], { room: true }],
   ...undo.kUndoCases,
+  [
+    'words',
+    words.directByWords,
+    ['desktop', 'portrait', 'phone'],
+    { touch: false, scenario: 'scenarios/market.json', everySize: true },
+  ],
   ['paused', feedback.paused, ['desktop'], { room: true }],
   ['refused', feedback.refused, ['desktop', 'phone'], {}],
   ['objectives', objectives.objectives, ['desktop'], { scenario: 'scenarios/block.json' }],

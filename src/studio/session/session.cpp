@@ -38,6 +38,7 @@ void Session::Impl::beginWith(World begun, const std::string& worldName, const W
     if (&worldDef != &newDef) worldDef = newDef, warn();
     editor.begin(worldDef);
     givenEdits.clear();
+    spoken.clear();
     ++worldNumber;
     name = worldName;
     if (player || taken) touchTake();
@@ -242,6 +243,7 @@ void Session::Impl::stepWorld() {
     stepped();
     log.observe(*world);
     editsCarriedOut();
+    submitSpoken();
     if (log.full() && !fullReported) {
         fullReported = true;
         noticeAll(protocol::NoticeLevel::Warning, "take-full",

@@ -233,6 +233,15 @@ public:
         return {};
     }
 
+    Status operator()(const protocol::Say& message) {
+        if (message.act == protocol::SayAct::Preview)
+            if (Status status = takeForecasts(1); !status.ok()) return status;
+        const auto said = session_.say(client_, message);
+        if (!said.ok()) return said.status();
+        client_.outbox.push_back(protocol::encode(said.value()));
+        return {};
+    }
+
     Status operator()(const protocol::SetScheme& message) {
         if (client_.steers && session_.world && !session_.player) {
             if (Status status = submit(CommandBody{ReleaseClient{}}); !status.ok()) return status;

@@ -25,6 +25,7 @@
 #include "studio/session/takes/handover.h"
 #include "studio/session/takes/take_log.h"
 #include "studio/session/takes/take_player.h"
+#include "studio/session/words/spoken.h"
 
 namespace muster {
 
@@ -186,6 +187,11 @@ struct Session::Impl {
     /// The place as a definition: what the world began from, with all edits since.
     WorldDef placeNow() const;
 
+    // Sentences (words/session_words.cpp).
+    Result<protocol::Said> say(SessionClient& client, const protocol::Say& message);
+    Status carryOut(SessionClient& client, Understood understood, const std::string& label);
+    void submitSpoken();
+
     // Messages (session_messages.cpp).
     Status handle(SessionClient& client, const protocol::ClientMessage& message);
     /// `steers`: a world that waits for somebody to steer goes on.
@@ -205,6 +211,7 @@ struct Session::Impl {
     std::optional<ParkedWorld> parked;  // The world before.
     PlaceEditor editor;
     std::vector<PlaceEditor::Given> givenEdits;  // Edits of the step that is made.
+    std::vector<SpokenRest> spoken;              // What waits for parts that the next step makes.
     std::uint32_t worldNumber = 0;               // Worlds that have begun.
 
     std::string name;  // The scenario's name.

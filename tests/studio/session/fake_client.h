@@ -127,6 +127,7 @@ private:
         if (const auto* m = std::get_if<protocol::Forecasts>(&message)) forecasts.push_back(*m);
         if (const auto* m = std::get_if<protocol::Places>(&message)) places.push_back(*m);
         if (const auto* m = std::get_if<protocol::Standings>(&message)) standings.push_back(*m);
+        if (const auto* m = std::get_if<protocol::Said>(&message)) said.push_back(*m);
         if (const auto* m = std::get_if<protocol::Marks>(&message)) marks.push_back(*m);
         if (const auto* m = std::get_if<protocol::Pong>(&message)) pongs.push_back(*m);
         if (const auto* m = std::get_if<protocol::Directors>(&message)) directors.push_back(*m);
@@ -165,6 +166,7 @@ public:
     std::vector<protocol::Forecasts> forecasts;
     std::vector<protocol::Places> places;
     std::vector<protocol::Standings> standings;
+    std::vector<protocol::Said> said;
     std::vector<protocol::Marks> marks;
     std::vector<protocol::Pong> pongs;
     std::vector<protocol::Directors> directors;

@@ -14,6 +14,7 @@ import type {
   Places,
   Standings,
   Pong,
+  Said,
   Scene,
   ServerMessage,
   StageTimes,
@@ -48,6 +49,7 @@ export interface StudioEvents {
   forecasts: Forecasts;
   places: Places;
   standings: Standings;
+  said: Said;
   marks: Marks;
   studyForm: StudyForm;
   studyState: StudyState;
@@ -76,6 +78,7 @@ const kEvents = {
   Forecasts: 'forecasts',
   Places: 'places',
   Standings: 'standings',
+  Said: 'said',
   Marks: 'marks',
   StudyForm: 'studyForm',
   StudyState: 'studyState',

@@ -11,6 +11,8 @@ export interface OrderActions {
   /** Makes a group the active one; `add`: together with those that are chosen. */
   choose(index: number, add: boolean): void;
   chooseAll(): void;
+  /** Opens the line for words, or closes it. */
+  toggleWords(): void;
   stop(): void;
   toggleHold(): void;
   togglePatrol(): void;

@@ -40,6 +40,7 @@ export type PanelName =
   | 'empty'
   | 'build'
   | 'measures'
+  | 'words'
   | 'paths'
   | 'sequence'
   | 'try'
@@ -58,7 +59,7 @@ export const kPlaces: Readonly<Record<Layout, Places>> = {
     left: ['build', 'measures', 'formations', 'legend'],
     note: ['banners', 'paths', 'empty'],
     right: ['orders'],
-    wide: [...kNow, 'queue'],
+    wide: [...kNow, 'queue', 'words'],
     low: ['view-bar', 'scale'],
     transport: ['playback'],
     stat: ['readout'],
@@ -68,7 +69,7 @@ export const kPlaces: Readonly<Record<Layout, Places>> = {
     left: ['build', 'measures', 'legend', 'formations'],
     note: ['banners', 'paths', 'empty'],
     right: ['orders', 'playback'],
-    wide: [...kNow, 'queue'],
+    wide: [...kNow, 'queue', 'words'],
     low: ['view-bar', 'scale'],
     stat: ['readout'],
   },
@@ -79,13 +80,13 @@ export const kPlaces: Readonly<Record<Layout, Places>> = {
     note: ['banners', 'paths', 'empty'],
     right: ['orders'],
     low: ['scale', 'legend'],
-    wide: [...kNow, 'queue', 'measures'],
+    wide: [...kNow, 'queue', 'words', 'measures'],
     sheet: ['build', 'formations', 'playback'],
   },
   phone: {
     head: ['scenario', 'directors', 'phone-bar'],
     note: ['banners', 'legend', 'paths', 'empty'],
-    wide: [...kNow, 'measures'],
+    wide: [...kNow, 'words', 'measures'],
     top: ['groups', 'readout'],
     sheet: ['build', 'tabs', 'formations', 'queue', 'orders', 'view-bar', 'playback'],
   },
@@ -94,7 +95,7 @@ export const kPlaces: Readonly<Record<Layout, Places>> = {
     left: ['build', 'measures', 'view-bar'],
     note: ['banners', 'legend', 'paths', 'empty'],
     right: ['orders'],
-    wide: [...kNow, 'queue'],
+    wide: [...kNow, 'queue', 'words'],
     stat: ['readout'],
     sheet: ['formations', 'playback'],
   },

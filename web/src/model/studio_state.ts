@@ -192,6 +192,8 @@ export interface StudioState {
   readonly dialog: DialogName;
   /** Somebody builds the place. */
   readonly build: boolean;
+  /** Somebody directs by words. */
+  readonly words: boolean;
   /** What people do is measured, and shown. */
   readonly measures: boolean;
   /** Somebody changes paths of the open take. */
@@ -275,6 +277,7 @@ export const kInitialState: StudioState = {
   figures: false,
   dialog: 'none',
   build: false,
+  words: false,
   measures: false,
   paths: false,
   places: 'none',

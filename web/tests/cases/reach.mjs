@@ -22,6 +22,12 @@ const kPanels = [
   ['field of obstacles', (studio) => key(studio, 'v'), '.legend', (studio) => key(studio, 'v')],
   ['cost', (studio) => key(studio, 'c'), '.legend', (studio) => key(studio, 'c')],
   ['measures', (studio) => key(studio, 'Shift+M'), '.measure-panel', (studio) => key(studio, 'Shift+M')],
+  [
+    'words',
+    async (studio) => (await key(studio, '/')) && typed(studio, 'No'),
+    '.words [role="option"]',
+    (studio) => studio.page.keyboard.press('Escape'),
+  ],
   ['notice', (studio) => key(studio, 'Control+z'), '.notice', (studio) => press(studio, '.notice-close')],
   ['takes shelf', (studio) => item(studio, 'All takes'), '.take-shelf', (studio) => press(studio, '.shelf-close')],
 ];
@@ -54,6 +60,11 @@ const kSteering = [
 async function key(studio, keys) {
   await studio.page.evaluate(() => document.querySelector('#scene').focus());
   await studio.page.keyboard.press(keys);
+  return true;
+}
+
+async function typed(studio, text) {
+  await studio.page.locator('.words input').fill(text);
   return true;
 }
 

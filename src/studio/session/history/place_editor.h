@@ -25,6 +25,7 @@ namespace muster {
 struct HistoryStep {
     std::string label;            ///< For people: "Move wall".
     std::uint32_t gesture = 0;    ///< Edits with the same number are one step; 0: alone.
+    std::uint32_t sentence = 0;   ///< What is done for one sentence is one step; 0: for none.
     bool directs = false;         ///< It directs groups, and leaves the place as it is.
     std::uint32_t step = 0;       ///< Of the world, when it was last done.
     std::uint32_t arrival = 0;    ///< Rises with everything that is done, by whomever.
@@ -73,6 +74,10 @@ public:
     /// Together they become one step of the history; touches become one with all of their drag.
     void acted(std::uint32_t client, const std::vector<CommandBody>& bodies, std::uint32_t firstSequence,
                const World& world);
+    /// A number for what comes of a sentence.
+    std::uint32_t nextSentence() { return ++lastSentence_; }
+    /// What is acted from now on comes of that sentence; 0: of none.
+    void speaks(std::uint32_t sentence, const std::string& label) { sentence_ = sentence, said_ = label; }
     /// True where the step that is made may change a history.
     bool acts() const { return births_.begun(); }
     /// True where what the director takes back, or does again, waits for the next step.
@@ -142,6 +147,8 @@ private:
     StepBirths births_;
     Drags drags_;
     std::uint32_t lastArrival_ = 0;
+    std::uint32_t lastSentence_ = 0, sentence_ = 0;
+    std::string said_;  // The sentence.
     std::uint32_t revision_ = 1;
 };
 

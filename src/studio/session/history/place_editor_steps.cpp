@@ -37,6 +37,7 @@ bool isRefused(std::uint32_t client, std::uint32_t sequence, const World& world)
 
 bool joins(const HistoryStep& last, const HistoryStep& next) {
     if (next.gesture != 0 && last.gesture == next.gesture) return true;
+    if (next.sentence != 0 && last.sentence == next.sentence) return true;
     if (!last.directs || !next.directs || last.label != next.label || last.slides.empty() ||
         next.slides.empty() || next.step - last.step > kGesture)
         return false;
@@ -66,7 +67,8 @@ void PlaceEditor::addAct(std::uint32_t client, std::vector<CommandBody> bodies,
                          std::vector<std::uint32_t> sequences, std::uint32_t drag, const World& world) {
     Given act;
     act.client = client;
-    act.step.label = actLabel(bodies, world);
+    act.step.label = sentence_ != 0 ? said_ : actLabel(bodies, world);
+    act.step.sentence = sentence_;
     act.step.directs = true;
     act.step.step = world.stepCount();
     act.step.arrival = act.arrival = ++lastArrival_;

@@ -103,6 +103,15 @@ export const StudyAct = {
 } as const;
 export type StudyAct = (typeof StudyAct)[keyof typeof StudyAct];
 
+/** What is wanted of a sentence. */
+export const SayAct = {
+  Complete: 0,
+  Preview: 1,
+  Do: 2,
+  Look: 3,
+} as const;
+export type SayAct = (typeof SayAct)[keyof typeof SayAct];
+
 /** How a trial ended. */
 export const TrialEnd = {
   None: 0,

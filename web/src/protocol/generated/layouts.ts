@@ -27,6 +27,7 @@ export const kPartLayouts: Readonly<Record<string, string>> = {
   AnswerFrame: 'name:text text:text number:f64',
   StageFrame: 'name:text about:text milliseconds:f32',
   EventFrame: 'kind:<26 subject:u32 value:u32 x:f32 y:f32',
+  SaidCompletion: 'words:text whole:text',
   GroupBodyEdit: 'group:u32 radius:f64? maxSpeed:f64? unitClass:u8?',
   SceneBox: 'min:Vec2 max:Vec2',
   SceneClip: 'name:text speed:f64',
@@ -77,6 +78,7 @@ export const kClientLayouts: readonly (readonly [string, string])[] = [
   ['AnswerAsk', 'number:u32 allow:bool'],
   ['Build', 'on:bool'],
   ['KeepPlace', 'title:text'],
+  ['Say', 'number:u32 act:<4 text:text chosen:u32s'],
 ];
 
 // prettier-ignore
@@ -108,4 +110,5 @@ export const kServerLayouts: readonly (readonly [string, string])[] = [
   ['AskAnswered', 'allowed:bool client:u32'],
   ['Scenarios', 'scenarios:ScenarioInfo*'],
   ['PlaceKept', 'title:text name:text problem:text'],
+  ['Said', 'number:u32 act:<4 sentences:text problem:text completions:SaidCompletion* forecasts:ForecastFrame* places:PlacesFrame*'],
 ];

@@ -11,6 +11,7 @@ import type {
   QuestionKind,
   StudyStage,
   StudyAct,
+  SayAct,
   TrialEnd,
   WorldChange,
   ControlKind,
@@ -383,6 +384,14 @@ export interface EventFrame {
   y: number;
 }
 
+/** How a sentence may go on. */
+export interface SaidCompletion {
+  /** What comes next, for people. */
+  words: string;
+  /** The sentence with it. */
+  whole: string;
+}
+
 /** Numbers of a body for all present members of a group. */
 export interface GroupBodyEdit {
   group: number;
@@ -725,6 +734,18 @@ export interface Build {
 export interface KeepPlace {
   type: 'KeepPlace';
   title: string;
+}
+
+/** A sentence that directs: what would it do, or do it; how may it go on; or what is there to see? */
+export interface Say {
+  type: 'Say';
+  /** Comes back with the answer. */
+  number: number;
+  act: SayAct;
+  /** At most 1,000 bytes; not read for Look. */
+  text: string;
+  /** Ids of the groups that it is about where it names none. */
+  chosen: Uint32Array;
 }
 
 /** The first answer; again with another number where a take is taken up. */
@@ -1095,6 +1116,23 @@ export interface PlaceKept {
   problem: string;
 }
 
+/** What a sentence does or would do. */
+export interface Said {
+  type: 'Said';
+  number: number;
+  act: SayAct;
+  /** What each group does, a line each; for Look what is there. */
+  sentences: string;
+  /** One sentence: what is not understood, or cannot be; else empty. */
+  problem: string;
+  /** For Complete and Preview: how it may go on. */
+  completions: SaidCompletion[];
+  /** For Preview: what would come of the first order of each part. */
+  forecasts: ForecastFrame[];
+  /** For Preview: where they would stand. */
+  places: PlacesFrame[];
+}
+
 /** Any message of the page. */
 export type ClientMessage =
   | Hello
@@ -1130,7 +1168,8 @@ export type ClientMessage =
   | AskOthers
   | AnswerAsk
   | Build
-  | KeepPlace;
+  | KeepPlace
+  | Say;
 
 /** Any message of the server. */
 export type ServerMessage =
@@ -1159,4 +1198,5 @@ export type ServerMessage =
   | Ask
   | AskAnswered
   | Scenarios
-  | PlaceKept;
+  | PlaceKept
+  | Said;

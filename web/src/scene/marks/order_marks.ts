@@ -20,8 +20,8 @@ export interface StandPreview {
   readonly index: number;
   readonly places: readonly GroundPoint[];
   readonly outline: readonly GroundPoint[];
-  /** Left and right end. */
-  readonly front: readonly [GroundPoint, GroundPoint];
+  /** Left and right end; left out where that is not known. */
+  readonly front?: readonly [GroundPoint, GroundPoint];
   /** Per place: 0 where somebody can stand there; left out where that is not known. */
   readonly unfit?: ArrayLike<number>;
 }
@@ -132,7 +132,7 @@ export class OrderMarks {
 
   private extendDrawn(extent: MarkExtent, drawn: DrawnOrder, scene: OrderScene): void {
     const add = ({ x, y }: GroundPoint): void => extent.add(scene.camera.worldToScreen(x, y));
-    for (const move of drawn.moves) [...move.outline, ...move.front].forEach(add);
+    for (const move of drawn.moves) [...move.outline, ...(move.front ?? [])].forEach(add);
     for (const points of [drawn.rectangle, drawn.route, ...scene.forecasts.map(({ way }) => way)]) points.forEach(add);
     const words = wordsOf(scene);
     if (!words) return;
@@ -258,7 +258,7 @@ export class OrderMarks {
     // Who stands there already needs none.
     if (distance(group, end) < 1 && Math.abs(Math.sin((group.facing - leg.facing) / 2)) < 0.1) return;
     this.painter_.dashed(this.screen(ghost.outline, scene), colours.accent, 1.8, true, colours.casing);
-    this.drawFront(ghost.front, colours, scene);
+    if (ghost.front) this.drawFront(ghost.front, colours, scene);
   }
 
   private drawFront([left, right]: readonly [GroundPoint, GroundPoint], colours: MarkColours, scene: OrderScene): void {
@@ -297,7 +297,7 @@ export class OrderMarks {
       painter.veil(outline, own.accent);
       painter.dashed(outline, own.accent, 1.8, true, own.casing);
       drawPlaces(painter, this.screen(move.places, scene), move.unfit, own, scene.palette.alarm);
-      this.drawFront(move.front, own, scene);
+      if (move.front) this.drawFront(move.front, own, scene);
     }
     const words = wordsOf(scene);
     if (words) painter.label(this.labelSpot(scene, words), words.text, scene.palette.panel, words.ink);

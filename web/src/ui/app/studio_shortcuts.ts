@@ -72,6 +72,7 @@ function orderKeys(orders: OrderActions): Shortcut[] {
     key('U', 'guard: then drag a rectangle', ({ shiftKey }) => orders.toggleTool(shiftKey ? 'wait' : 'guard')),
     { keys: 'Shift+X', does: 'leave: then press on an exit', group: 'Orders', match: [] },
     { keys: 'Shift+U', does: 'wait: then press on a waiting area', group: 'Orders', match: [] },
+    key('/', 'directing by words', () => orders.toggleWords()),
     key('S', 'stop', () => orders.stop()),
     key('K', 'hold (stand still, keep the orders), or go on', () => orders.toggleHold()),
     key('B', 'patrol, or end it', () => orders.togglePatrol()),

@@ -265,6 +265,10 @@ export class OrderController implements OrderActions, OrderSink, CutSink, BoxSin
     this.store_.set({ style: { ...this.store_.state.style, ...style } });
   }
 
+  toggleWords(): void {
+    this.store_.set({ words: !this.store_.state.words });
+  }
+
   stop(): void {
     this.queues.edit(this.store_.state.selected, 'stop');
     this.say_('Stop');

@@ -112,6 +112,15 @@ function Buttons({ state, actions }: Props): VNode {
   } as const;
   return (
     <div class="order-buttons">
+      <Tile
+        icon="words"
+        label="Words"
+        shortcut="/"
+        pressed={state.words}
+        tip="Say in words what they are to do"
+        data={{ 'data-tool': 'words' }}
+        act={() => actions.toggleWords()}
+      />
       <Tile icon="stop" label="Stop" shortcut="S" tip="Drops all orders and stands" act={() => actions.stop()} />
       <Tile
         icon="hold"
@@ -171,7 +180,7 @@ export class OrdersPanel {
   private readonly focus_: ToolbarFocus;
 
   constructor(store: StudioStore, actions: OrderActions) {
-    const fields = ['groups', 'active', 'units', 'history', 'loaded', 'tool', 'areas', 'style'] as const;
+    const fields = ['groups', 'active', 'units', 'history', 'loaded', 'tool', 'areas', 'style', 'words'] as const;
     drawPanel(this.root, store, fields, (state) => (
       <>
         <div class="order-bar" role="toolbar" aria-label="Orders">

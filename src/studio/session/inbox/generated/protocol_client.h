@@ -448,11 +448,27 @@ struct KeepPlace {
     }
 };
 
+/// A sentence that directs: what would it do, or do it; how may it go on; or what is there to see?
+struct Say {
+    static constexpr std::uint8_t kNumber = 34;  ///< First byte of the message.
+    std::uint32_t number = 0;  ///< Comes back with the answer.
+    SayAct act = SayAct::Complete;
+    std::string text;  ///< At most 1,000 bytes; not read for Look.
+    std::vector<std::uint32_t> chosen;  ///< Ids of the groups that it is about where it names none.
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(number, act, text, chosen);
+        checkChoice(archive, act);
+    }
+};
+
 /// Any message of the page; the index is its number.
 using ClientMessage = std::variant<
     Hello, Touches, Playback, SetSpeed, LoadScenario, Record, SetOverlay, Commands, Attend, FrameAck, Ping,
     Seek, TakeAgain, EditTake, AskForecasts, SetName, GiveGroup, SetScheme, SetView, Inputs, EnterStudy,
     AnswerForm, AskPath, BendPath, Edit, UndoEdit, DoInStudy, AskPlaces, WatchStages, AskStandings, AskOthers,
-    AnswerAsk, Build, KeepPlace>;
+    AnswerAsk, Build, KeepPlace, Say>;
 
 }  // namespace muster::protocol

@@ -44,6 +44,8 @@ enum class QuestionKind : std::uint8_t { Number, Scale, Choice, Text };
 enum class StudyStage : std::uint8_t { Form, Ready, Trial, Paused, Thanks, BrokenOff, Elsewhere, Replay };
 /// What a person wants in a run of the study.
 enum class StudyAct : std::uint8_t { Start, GoOn, GiveUp, BreakOff };
+/// What is wanted of a sentence.
+enum class SayAct : std::uint8_t { Complete, Preview, Do, Look };
 /// How a trial ended.
 enum class TrialEnd : std::uint8_t { None, Done, TimeOver, GivenUp, Practised };
 /// What a director did with the world of all.
@@ -74,6 +76,8 @@ template <>
 inline constexpr std::size_t kChoices<StudyStage> = 8;
 template <>
 inline constexpr std::size_t kChoices<StudyAct> = 4;
+template <>
+inline constexpr std::size_t kChoices<SayAct> = 4;
 template <>
 inline constexpr std::size_t kChoices<TrialEnd> = 5;
 template <>
@@ -514,6 +518,18 @@ struct EventFrame {
     void visit(Archive& archive) {
         archive(kind, subject, value, x, y);
         checkChoice(archive, kind);
+    }
+};
+
+/// How a sentence may go on.
+struct SaidCompletion {
+    std::string words;  ///< What comes next, for people.
+    std::string whole;  ///< The sentence with it.
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(words, whole);
     }
 };
 

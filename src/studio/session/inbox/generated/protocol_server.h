@@ -469,10 +469,29 @@ struct PlaceKept {
     }
 };
 
+/// What a sentence does or would do.
+struct Said {
+    static constexpr std::uint8_t kNumber = 26;  ///< First byte of the message.
+    std::uint32_t number = 0;
+    SayAct act = SayAct::Complete;
+    std::string sentences;  ///< What each group does, a line each; for Look what is there.
+    std::string problem;  ///< One sentence: what is not understood, or cannot be; else empty.
+    std::vector<SaidCompletion> completions;  ///< For Complete and Preview: how it may go on.
+    std::vector<ForecastFrame> forecasts;  ///< For Preview: what would come of the first order of each part.
+    std::vector<PlacesFrame> places;  ///< For Preview: where they would stand.
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(number, act, sentences, problem, completions, forecasts, places);
+        checkChoice(archive, act);
+    }
+};
+
 /// Any message of the server; the index is its number.
 using ServerMessage = std::variant<
     Welcome, Scene, Motions, GroupMesh, Frame, Overlay, Notice, Pong, TakePath, EditHistory, Forecasts,
     TakeState, TakeReady, TakeKept, Directors, Marks, StudyForm, StudyState, Places, StageTimes, Standings,
-    SharedWorld, Ask, AskAnswered, Scenarios, PlaceKept>;
+    SharedWorld, Ask, AskAnswered, Scenarios, PlaceKept, Said>;
 
 }  // namespace muster::protocol
