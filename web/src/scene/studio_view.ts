@@ -354,7 +354,7 @@ export class StudioView implements StudioScene {
     const chips = chipTags(this.marks_, view);
     // Chips must fade in a pause as well, when no frame comes.
     if (chips.length > 0) this.wake();
-    this.tagLayer_.show([...tags, ...chips, ...overlayTags(view)], this.camera.width - this.fitter_.padding.right);
+    this.tagLayer_.show([...tags, ...chips, ...overlayTags(view)], this.fitter_.room);
   }
 
   private showMarks(view: TagScene): void {

@@ -16,6 +16,10 @@ const kNarrow = 420;
 const kWidenNarrow = [kWiden, 4, 2] as const;
 const kReadable = 14;
 
+/** In the padding: above the ground that must be seen figures stand up, and at its sides there is a gap [CSS px]. */
+export const kHeadroom = 44;
+const kGap = 12;
+
 export class ViewFitter {
   /** What panels cover. */
   padding: Padding = { top: 84, right: 24, bottom: 120, left: 24 };
@@ -36,10 +40,12 @@ export class ViewFitter {
    * something else has brought the view to a pose by then: a film camera, say, before the first picture. */
   show(positions: Numbers, groups: readonly GroupView[]): void {
     if (this.opened_ || this.camera_.width < 2) return;
-    const points = crowdOutline(positions, groups, this.span());
-    if (points.length === 0) return;
+    const crowd = crowdOutline(positions, groups, 0);
+    if (crowd.length === 0) return;
     this.opened_ = true;
     if (this.camera_.placed) return;
+    const alone = surroundings(this.scene_, crowd).length === 0;
+    const points = alone ? crowdOutline(positions, groups, this.span()) : crowd;
     const wanted = [...points, ...goals(groups, points)];
     for (const widen of this.narrow() ? kWidenNarrow : [kWiden]) {
       this.camera_.fit([...wanted, ...surroundings(this.scene_, points, widen)], this.padding);
@@ -51,6 +57,12 @@ export class ViewFitter {
   fit(positions: Numbers, groups: readonly GroupView[], atOnce: boolean): void {
     const points = crowdOutline(positions, groups, this.span());
     this.camera_.glideFit(points, this.padding, performance.now(), atOnce ? 0 : kGlide);
+  }
+
+  /** Between the panels, with the room above the ground that must be seen [CSS px]. */
+  get room(): { left: number; right: number; top: number } {
+    const { left, right, top } = this.padding;
+    return { left: left - kGap, right: this.camera_.width - right + kGap, top: top - kHeadroom };
   }
 
   lookAt(point: GroundPoint, atOnce: boolean): void {
