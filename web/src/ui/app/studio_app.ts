@@ -13,7 +13,7 @@ import {
 } from '../../protocol/messages';
 import type { StudioFrame } from '../../model/studio_frame';
 import { isSameWorld, type SceneFacts } from '../../protocol/scene';
-import { problem } from '../../protocol/problem';
+import { problem, word } from '../../protocol/problem';
 import { CameraGesture, OrbitGesture } from '../../tools/camera_gesture';
 import type { Contact, ContactOwner } from '../../tools/contact';
 import { CrowdKeys } from '../../tools/crowd_keys';
@@ -128,7 +128,7 @@ export class StudioApp {
     this.touches_ = new TouchSender(client_, (time) => this.latency.touched(time));
     this.controls_ = new VirtualControls(client_, this.touches_, () => client_.clientId, this.drafts_);
     const camera = new CameraGesture(this.camera.hand);
-    this.orders = new OrderController(client_, this.store, judged(view_, client_), say);
+    this.orders = new OrderController(client_, this.store, judged(view_, client_), say, () => this.held());
     this.schemes_ = new SchemeController(client_, this.store, view_, say, (time) => this.latency.touched(time));
     const toGround = (at: ScreenPoint): GroundPoint | null => view_.screenToWorld(at);
     this.orders_ = new OrderChooser({ orders: this.orders, camera, tool: () => this.store.state.tool, toGround });
@@ -141,6 +141,7 @@ export class StudioApp {
       controls: this.controls_,
       orders: this.orders_,
       shapes: (contact) => this.shapes.owner(contact),
+      tell: (text) => this.store.set({ notice: word('loop', text) }),
     });
     const eye = { camera: this.camera.hand, screenToWorld: toGround };
     this.keys_ = new CrowdKeys(eye, this.controls_, this.chooser_, this.middle, say);
@@ -180,6 +181,12 @@ export class StudioApp {
       removeControl: () => keys.removeControl(),
       nextGroup: () => controller.nextGroup(),
     });
+  }
+
+  /** The word for what Escape would let go of. */
+  private held(): string | null {
+    const own = this.frame && this.controls_.newestIn(this.frame);
+    return own ? kKindNames[own.control.kind].toLowerCase() : null;
   }
 
   /** Escape drops what is being drawn, then puts the tool away, then ends controls. */
