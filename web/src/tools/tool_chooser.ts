@@ -97,6 +97,12 @@ export class ToolChooser {
     return this.find(ground, fingertipFrom(ground, this.toScreen));
   }
 
+  /** What a mouse that points there could take. */
+  cursor(ground: GroundPoint): 'grab' | 'pointer' | 'default' {
+    if (this.grab(ground)) return 'grab';
+    return this.formation(ground) ? 'pointer' : 'default';
+  }
+
   private readonly toScreen = (point: GroundPoint): ScreenPoint => this.tools_.scene.worldToScreen(point);
 
   private grabWhere(ground: GroundPoint, grabbable: (control: ControlFrame, group: number) => Grabbable): Grab | null {

@@ -9,7 +9,7 @@ export const kPartLayouts: Readonly<Record<string, string>> = {
   ControlFrame: 'id:u32 kind:<3 client:u32 pinned:bool open:bool points:ControlPointFrame* supplementary:f32s',
   ForecastAsk: 'group:u32 order:u32 asked:Order? placed:bool x:f64 y:f64 facing:f64',
   ForecastFrame: 'group:u32 order:u32 arrives:bool seconds:f32 x:f32 y:f32 way:f32s',
-  PlacesAsk: 'group:u32 formation:FormationDef? x:f64 y:f64 facing:f64 places:f64s',
+  PlacesAsk: 'group:u32 formation:FormationDef? x:f64 y:f64 facing:f64 places:f64s count:u32',
   PlacesFrame: 'group:u32 places:f32s unfit:u8s problem:text',
   GroupFrame: 'id:u32 meshVersion:u32 lag:f32 walkSum:f32 walkSquares:f32 walkLongest:f32 vertices:f32s moved:u32s offsets:i16s unfit:u8s controls:ControlFrame* x:f32 y:f32 facing:f32 queued:bool orders:QueuedOrder* way:f32s held:bool patrols:bool stance:<3 cohesion:f32 squeeze:f32 avoids:bool',
   CrowdFrame: 'count:u32 x0:f64 y0:f64 quantum:f32 x:u16s y:u16s stepX:i8s stepY:i8s jumped:u32s jumpedX:u16s jumpedY:u16s heading:u8s headingFine:u8s changed:u32s clip:u8s phase:u8s phaseFine:u8s near:u32s nearPlaces:f32s nearPoses:i16s',

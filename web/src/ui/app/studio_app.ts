@@ -128,7 +128,7 @@ export class StudioApp {
     this.touches_ = new TouchSender(client_, (time) => this.latency.touched(time));
     this.controls_ = new VirtualControls(client_, this.touches_, () => client_.clientId, this.drafts_);
     const camera = new CameraGesture(this.camera.hand);
-    this.orders = new OrderController(client_, this.store, judged(view_, client_), say, () => this.held());
+    this.orders = new OrderController(client_, this.store, judged(view_, client_), say, this.held);
     this.schemes_ = new SchemeController(client_, this.store, view_, say, (time) => this.latency.touched(time));
     const toGround = (at: ScreenPoint): GroundPoint | null => view_.screenToWorld(at);
     this.orders_ = new OrderChooser({ orders: this.orders, camera, tool: () => this.store.state.tool, toGround });
@@ -184,10 +184,10 @@ export class StudioApp {
   }
 
   /** The word for what Escape would let go of. */
-  private held(): string | null {
+  private readonly held = (): string | null => {
     const own = this.frame && this.controls_.newestIn(this.frame);
-    return own ? kKindNames[own.control.kind].toLowerCase() : null;
-  }
+    return own && kKindNames[own.control.kind].toLowerCase();
+  };
 
   /** Escape drops what is being drawn, then puts the tool away, then ends controls. */
   private letGo(): void {
@@ -225,14 +225,8 @@ export class StudioApp {
     const input = contact.kind === 'mouse' ? 'mouse' : 'touch';
     if (this.store.state.input !== input) this.store.set({ input });
     if (contact.kind !== 'mouse' || !contact.ground) return;
-    const over =
-      this.store.state.tool !== 'steer'
-        ? 'crosshair'
-        : this.chooser_.grab(contact.ground)
-          ? 'grab'
-          : this.chooser_.formation(contact.ground)
-            ? 'pointer'
-            : 'default';
+    this.shapes.pointed(contact.ground);
+    const over = this.store.state.tool !== 'steer' ? 'crosshair' : this.chooser_.cursor(contact.ground);
     if (this.canvas_.style.cursor !== over) this.canvas_.style.cursor = over;
   }
 

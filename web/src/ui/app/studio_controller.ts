@@ -36,8 +36,8 @@ export interface ControllerLink extends MessageSender {
 /** What panels and keys ask of the camera. */
 export type ControllerCamera = Pick<
   StudioActions,
-  'fit' | 'toggleFollow' | 'frameGroup' | 'toggleTop' | 'toggleFlat' | 'saveView' | 'showView'
-> & { lookAt(point: GroundPoint): void };
+  'toggleFollow' | 'frameGroup' | 'toggleTop' | 'toggleFlat' | 'saveView' | 'showView'
+> & { lookAt(point: GroundPoint): void; fitInTurn(): void };
 
 export class StudioController implements StudioActions {
   /** `say` speaks to the live region. */
@@ -248,7 +248,7 @@ export class StudioController implements StudioActions {
   }
 
   fit(): void {
-    this.camera_.fit();
+    this.camera_.fitInTurn();
   }
 
   toggleFollow(): void {

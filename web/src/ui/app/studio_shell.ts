@@ -30,6 +30,7 @@ import { QueueBar } from '../orders/queue_bar';
 import type { StudioActions } from '../../model/studio_actions';
 import { isLost } from '../../model/studio_state';
 import { ViewBar } from '../steer/view_bar';
+import { WatchBanner } from '../steer/watch_banner';
 import { PanelLayout } from '../widgets/panel_layout';
 import { Tooltip } from '../widgets/tooltip';
 import { PlaybackBar } from '../takes/playback_bar';
@@ -55,6 +56,7 @@ function bannersOf(store: StudioStore, actions: StudioActions): HTMLElement {
     new LostBanner(store, actions).root,
     new NoticeBanner(store, actions).root,
     new SchemeBanner(store, actions).root,
+    new WatchBanner(store, actions).root,
   );
 }
 

@@ -10,6 +10,7 @@ import type { StudioStore } from '../../model/studio_store';
 import { element, setText } from '../widgets/dom';
 import { dialogOf, drawPlaces, field } from '../widgets/dialog_parts';
 import { groundWords, leave, lookOrTake } from './try_parts';
+import { PlacingBar } from './placing_bar';
 import { TryBar } from './try_bar';
 import { kFormations } from './formation_panel';
 import { OwnShapeDialog } from './own_shape_dialog';
@@ -206,6 +207,7 @@ export function watchShapeDialogs(
   };
   for (const dialog of Object.values(dialogs)) page.append(dialog.root);
   PanelLayout.of(page).add('try', new TryBar(store, shapes).root);
+  PanelLayout.of(page).add('placing', new PlacingBar(store).root);
   store.watch(['dialog'], ({ dialog }) => {
     if (dialog !== 'none' && !dialogs[dialog].root.open) dialogs[dialog].open();
   });

@@ -13,7 +13,13 @@ export class ViewBar {
   constructor(store: StudioStore, actions: StudioActions) {
     drawPanel(this.root, store, ['following', 'build', 'measures', 'replaying'], (state) => (
       <>
-        <ToolButton icon="fit" label="Fit" shortcut="F" tip="Fits crowd and paths" act={() => actions.fit()} />
+        <ToolButton
+          icon="fit"
+          label="Fit"
+          shortcut="F"
+          tip="Fits crowd and paths; pressed again, the whole place"
+          act={() => actions.fit()}
+        />
         <ToolButton
           icon="camera"
           label="Follow"
