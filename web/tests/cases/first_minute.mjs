@@ -95,8 +95,8 @@ export async function sentences(studio) {
   const group = (await studio.frame()).groups[0];
   const loop = await studio.screen(
     Array.from({ length: 13 }, (_, k) => ({
-      x: group.x + 0.5 * Math.cos((k * Math.PI) / 6),
-      y: group.y + 0.5 * Math.sin((k * Math.PI) / 6),
+      x: group.x + 0.25 * Math.cos((k * Math.PI) / 6),
+      y: group.y + 0.25 * Math.sin((k * Math.PI) / 6),
     })),
   );
   await keyboard.down('Alt');
@@ -131,7 +131,7 @@ export async function ghostOfGroup(studio) {
   const group = (await studio.frame()).groups[0];
   const [over, free] = await studio.screen([group, { x: group.x + 14, y: group.y + 2 }]);
   for (const [at, words] of [
-    [over, /On \d+ of 60 places nobody can stand/],
+    [over, /\d+ of 60 places are not free/],
     [free, /All places are free/],
   ])
     await studio.eventually(async () => {
@@ -209,7 +209,12 @@ export const kFirstMinuteCases = [
     { ...kOpening, everySize: true },
   ],
   ['first minute: sentences', sentences, ['desktop'], { touch: false, scenario: 'scenarios/open.json' }],
-  ['first minute: a new group', ghostOfGroup, ['desktop'], { touch: false, scenario: 'scenarios/open.json' }],
+  [
+    'first minute: a new group',
+    ghostOfGroup,
+    ['desktop'],
+    { touch: false, scenario: 'scenarios/open.json', room: true },
+  ],
   ['first minute: fit', fitInTurn, ['wide', 'landscape'], { scenario: 'web/tests/scenarios/thousand.json' }],
   [
     'first minute: open readout',

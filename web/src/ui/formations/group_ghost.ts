@@ -22,8 +22,8 @@ export interface GhostHost {
   readonly orders: StandScene;
 }
 
-/** Of two bodies side by side, where none is asked for [m]. */
-const kBody = 0.5;
+/** A place is taken where somebody stands nearer than this share of the spacing. */
+const kTaken = 0.8;
 
 export class GroupGhost {
   private readonly asker_: PlaceAsker;
@@ -51,13 +51,13 @@ export class GroupGhost {
       if (!answer || !this.at_) return;
       if (answer.problem) return this.tell({ text: answer.problem, warns: true });
       const stand = standOf(answer, frame.groups.length, pose);
-      const taken = takenPlaces(stand.places, frame, this.group_.radius > 0 ? this.group_.radius + kBody / 2 : kBody);
+      const taken = takenPlaces(stand.places, frame, kTaken * spacing);
       // Where no way leads from that group, a new one can stand.
       const unfit = taken.map((one, k) => one || Number(stand.unfit[k] === kPlaceBars.obstacle));
       const bad = unfitCount(unfit);
       this.tell(
         bad > 0
-          ? { text: `On ${bad} of ${count} places nobody can stand`, warns: true }
+          ? { text: `${bad} of ${count} places are not free`, warns: true }
           : { text: 'All places are free', warns: false },
       );
       const now = this.at_;
