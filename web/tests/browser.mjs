@@ -35,6 +35,7 @@ import * as study from './cases/study.mjs';
 import * as oldTakes from './cases/old_take.mjs';
 import * as paths from './cases/path.mjs';
 import * as takes from './cases/takes.mjs';
+import * as things from './cases/things.mjs';
 import * as touch from './cases/touch.mjs';
 import * as undo from './cases/undo.mjs';
 import { chosenCases } from './support/chosen_cases.mjs';
@@ -197,6 +198,7 @@ const kCases = [
   ['build: drags', build.dragsInARow, ['desktop'], { touch: false, scenario: 'scenarios/open.json', room: true }],
   ['build: drags by touch', build.dragsByTouch, ['portrait'], { scenario: 'scenarios/open.json', room: true }],
   ...buildPeople.kPeopleCases,
+  ...things.kThingCases,
   ...areas.kAreaCases,
   ['build: by touch', build.byTouch, ['landscape', 'portrait', 'phone'], kOpen],
   ['measures: a door', measures.door, [...kTablets, 'phone'], { scenario: 'web/tests/scenarios/door.json' }],

@@ -103,10 +103,6 @@ export function motionOfTool(tool: BuildTool, { height, hedgeHeight }: DrawingOp
   return tool === 'wall' && height <= kClimbed.most ? 'climb' : '';
 }
 
-export function isAreaTool(tool: BuildTool): tool is AreaKindWord {
-  return tool in kAreaNames;
-}
-
 function rectangle(a: GroundPoint, b: GroundPoint): Vec2[] {
   const [x0, x1] = [Math.min(a.x, b.x), Math.max(a.x, b.x)];
   const [y0, y1] = [Math.min(a.y, b.y), Math.max(a.y, b.y)];
@@ -142,42 +138,43 @@ function round(a: GroundPoint, b: GroundPoint, pressed: number): { centre: Vec2;
   return { centre: [a.x, a.y], radius: radius < kPress ? pressed : radius };
 }
 
+type Maker = (a: GroundPoint, b: GroundPoint, options: DrawingOptions, tool: BuildTool) => Thing | null;
+
+const ground: Maker = (a, b, options, tool) =>
+  groundThing(boxOf(a, b), kGrounds[tool as keyof typeof kGrounds][1], tool, options);
+const area: Maker = (a, b, options, tool) => areaThing(tool as AreaKindWord, boxOf(a, b), options);
+const formationOf = ({ formation, spacing }: DrawingOptions): Thing['formation'] => ({
+  kind: formationKind(formation),
+  spacing,
+});
+
+const kMakers: Partial<Record<BuildTool, Maker>> = {
+  box: (a, b, { height }) => polygonThing(boxOf(a, b), height),
+  disc: (a, b, { height }) => thing('obstacle', { ...round(a, b, kPressed.disc), height }),
+  wall: barrier,
+  hedge: barrier,
+  gate: barrier,
+  water: ground,
+  net: ground,
+  branches: ground,
+  exit: area,
+  source: area,
+  waiting: area,
+  stairs: stairsThing,
+  item: (_a, b) => thing('item', { centre: [b.x, b.y], radius: kPressed.item }),
+  checkpoint: (a, b, options) =>
+    thing('checkpoint', { ...round(a, b, kPressed.checkpoint), formation: formationOf(options) }),
+  people: (a, b, options) => {
+    const { count, spacing } = options;
+    const angle = distance(a, b) < kPress ? 0 : Math.atan2(b.y - a.y, b.x - a.x);
+    const radius = groupRadius(count, spacing);
+    return thing('group', { name: 'Group', centre: [a.x, a.y], angle, count, formation: formationOf(options), radius });
+  },
+};
+
 /** The thing that a stroke from `a` to `b` makes by a tool; null where it makes none. */
 export function drawn(tool: BuildTool, a: GroundPoint, b: GroundPoint, options: DrawingOptions): Thing | null {
-  const { height, count, spacing } = options;
-  const formation = { kind: formationKind(options.formation), spacing };
-  if (isAreaTool(tool)) return areaThing(tool, boxOf(a, b), options);
-  switch (tool) {
-    case 'box':
-      return polygonThing(boxOf(a, b), height);
-    case 'disc':
-      return thing('obstacle', { ...round(a, b, kPressed.disc), height });
-    case 'wall':
-    case 'hedge':
-    case 'gate':
-      return barrier(tool, a, b, options);
-    case 'water':
-    case 'net':
-    case 'branches':
-      return groundThing(boxOf(a, b), kGrounds[tool][1], tool, options);
-    case 'stairs':
-      return stairsThing(a, b, options);
-    case 'item':
-      return thing('item', { centre: [b.x, b.y], radius: kPressed.item });
-    case 'checkpoint':
-      return thing('checkpoint', { ...round(a, b, kPressed.checkpoint), formation });
-    case 'people': {
-      const angle = distance(a, b) < kPress ? 0 : Math.atan2(b.y - a.y, b.x - a.x);
-      const radius = groupRadius(count, spacing);
-      return thing('group', { name: 'Group', centre: [a.x, a.y], angle, count, formation, radius });
-    }
-    case 'select':
-    case 'door':
-    case 'car':
-    case 'polygon':
-    case 'route':
-      return null;
-  }
+  return kMakers[tool]?.(a, b, options, tool) ?? null;
 }
 
 /** Ground on which people do what its motion says; null where the place has no such motion. */
@@ -187,12 +184,7 @@ function groundThing(polygon: readonly Vec2[], name: string, tool: BuildTool, op
 }
 
 /** What stands along the line, across the way of people; null for a press. */
-function barrier(
-  tool: 'wall' | 'hedge' | 'gate',
-  a: GroundPoint,
-  b: GroundPoint,
-  options: DrawingOptions,
-): Thing | null {
+function barrier(a: GroundPoint, b: GroundPoint, options: DrawingOptions, tool: BuildTool): Thing | null {
   const length = distance(a, b);
   if (length < kPress) return null;
   const over = motionOf(options.clips, motionOfTool(tool, options));

@@ -1,11 +1,10 @@
 // Gates: obstacles that slide aside along their length, and back. A gate's path ends with the world, so that it stays one.
 
 import type { Vec2 } from '../../protocol/generated/commands';
+import { isGatePath, kGateEnd } from '../../protocol/scene';
 import { frameOf } from './frame';
 import type { Thing } from './things';
 
-/** Of the world [s]. */
-const kEnd = 1e7;
 /** How fast a gate slides [m/s]. */
 const kPace = 1.5;
 /** A gate begins shut [s]. */
@@ -21,8 +20,8 @@ export const kNever = Infinity;
 
 /** The gate's times; null for what is no gate. */
 export function gateOf({ kind, path, polygon }: Pick<Thing, 'kind' | 'path' | 'polygon'>): GateTimes | null {
-  const points = path?.waypoints ?? [];
-  if (kind !== 'obstacle' || !polygon || !path || path.loop || points[points.length - 1]?.time !== kEnd) return null;
+  if (kind !== 'obstacle' || !polygon || !isGatePath(path)) return null;
+  const points = path!.waypoints.slice(0, -1);
   const isOpen = points.map(({ position: [x, y] }) => x !== 0 || y !== 0);
   const [first, last] = [isOpen.indexOf(true), isOpen.lastIndexOf(true)];
   if (first < 1) return { opens: kNever, shuts: kNever };
@@ -34,15 +33,16 @@ export function gated(one: Thing, { opens, shuts }: GateTimes): Thing {
   const { angle, length } = frameOf(one.polygon!);
   const aside: Vec2 = [length * Math.cos(angle), length * Math.sin(angle)];
   const slides = Math.max(0.1, length / kPace);
-  const beginsToShut = Math.max(shuts, opens + slides + 0.1);
-  const waypoints = [
-    { time: 0, position: kShut, angle: 0 },
-    ...(opens < kEnd ? [{ time: opens, position: kShut, angle: 0 }] : []),
-    ...(opens < kEnd ? [{ time: opens + slides, position: aside, angle: 0 }] : []),
-    ...(shuts < kEnd ? [{ time: beginsToShut, position: aside, angle: 0 }] : []),
-    ...(shuts < kEnd ? [{ time: beginsToShut + slides, position: kShut, angle: 0 }] : []),
-    { time: kEnd, position: opens < kEnd && shuts >= kEnd ? aside : kShut, angle: 0 },
-  ];
+  const waypoints = [{ time: 0, position: kShut, angle: 0 }];
+  const slide = (time: number, to: Vec2): void => {
+    const { position } = waypoints[waypoints.length - 1]!;
+    waypoints.push({ time, position, angle: 0 }, { time: time + slides, position: to, angle: 0 });
+  };
+  if (opens < kGateEnd) slide(opens, aside);
+  if (opens < kGateEnd && shuts < kGateEnd) slide(Math.max(shuts, opens + slides + 0.1), kShut);
+  // What moves no more becomes ground: a gate has something left to do.
+  slide(kGateEnd - slides, opens < kGateEnd && shuts >= kGateEnd ? kShut : aside);
+  waypoints[waypoints.length - 1]!.time = kGateEnd;
   return { ...one, path: { waypoints, loop: false } };
 }
 

@@ -91,11 +91,9 @@ function fitted(one: Thing, length: number): Thing {
   for (let k = 0; k < 4 && made.polygon; ++k) {
     const { axis, width } = leastAcross(made.polygon);
     if (Math.abs(width - length) < 1e-6) break;
-    const [mx, my] = [axis, [-axis[1], axis[0]] as Vec2].map((one_) => {
-      const [from, to] = reachAlong(made.polygon!, one_);
-      return (from + to) / 2;
-    }) as [number, number];
-    const about = { x: mx * axis[0] - my * axis[1], y: mx * axis[1] + my * axis[0] };
+    const middle = (along: Vec2): number => reachAlong(made.polygon!, along).reduce((from, to) => (from + to) / 2);
+    const [u, v] = [middle(axis), middle([-axis[1], axis[0]])];
+    const about = { x: u * axis[0] - v * axis[1], y: u * axis[1] + v * axis[0] };
     made = stretched(made, about, axis, length / width);
   }
   return made;

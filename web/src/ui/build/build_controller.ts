@@ -5,7 +5,6 @@ import type { StudioClient } from '../../link/studio_client';
 import type { StudioStore } from '../../model/studio_store';
 import type { GroundPoint, ScreenPoint } from '../../model/plane';
 import { kDrawingOptions, motionOfTool, type BuildTool, type DrawingOptions } from '../../model/place/drawing';
-import { joinedSource, newArrivals } from '../../model/place/areas';
 import { mistakeOf, motionOf } from '../../model/place/motions';
 import { withDoor } from '../../model/place/doors';
 import { standing } from '../../model/place/routes';
@@ -15,7 +14,7 @@ import { OverlayKind, PlaybackAction } from '../../protocol/messages';
 import type { SceneFacts } from '../../protocol/scene';
 import type { StudioScene } from '../../scene/studio_scene';
 import { BuildPointer } from '../../tools/build_pointer';
-import { firstOf, type HistoryController } from '../orders/history_controller';
+import type { HistoryController } from '../orders/history_controller';
 import type { BuildActions } from './build_actions';
 import { BuildEdits, type PlaceEdit } from './build_edits';
 import { BuildKeys } from './build_keys';
@@ -23,6 +22,7 @@ import { BuildLayer } from './build_layer';
 import { BuildPanel } from './build_panel';
 import { LayerFilter } from './layer_filter';
 import { MistakeNotes } from './mistake_notes';
+import { NewSources } from './new_sources';
 import { placeClips } from './place_clips';
 import { BuildStroking, type StrokeHost } from './build_strokes';
 import '../styles/build.css';
@@ -39,8 +39,6 @@ export interface BuildParts {
 const kBeside = 1;
 /** Of an edit that was refused [ms]. */
 const kPreviewStays = 1500;
-/** Numbers follow what is dragged so often [ms]. */
-const kNumbersFollow = 150;
 
 export class BuildController implements StrokeHost, BuildActions {
   private readonly layer_: BuildLayer;
@@ -59,15 +57,13 @@ export class BuildController implements StrokeHost, BuildActions {
   private open_ = false;
   private readonly edits_: BuildEdits;
   private waits_ = 0;
-  private showsSoon_ = 0;
   tool: BuildTool = 'select';
   snaps = true;
   private readonly layers_ = new LayerFilter();
   /** The next thing that comes is chosen. */
   private choosesNew_ = false;
   options: DrawingOptions = kDrawingOptions;
-  /** A source that waits for its group. */
-  private source_: Thing | null = null;
+  private readonly sources_ = new NewSources((edit) => this.edits_.send(edit));
 
   constructor(private readonly parts_: BuildParts) {
     const { view, client } = parts_;
@@ -113,7 +109,7 @@ export class BuildController implements StrokeHost, BuildActions {
     this.parts_.client.send({ type: 'Playback', action: PlaybackAction.Pause });
     this.askReach();
     this.panel_.focus();
-    this.showNow();
+    this.showChosen();
     requestAnimationFrame(this.drawn);
   }
 
@@ -131,7 +127,7 @@ export class BuildController implements StrokeHost, BuildActions {
     const before = this.served_;
     const same = this.scene?.world === scene.world && this.scene.name === scene.name;
     this.scene = scene;
-    const follows = this.sourceFollows(scene, same);
+    const follows = this.sources_.follow(scene, this.served_, same);
     if (!same)
       placeClips(scene.clips, (clips) => {
         if (this.scene?.world === scene.world) this.setOptions({ clips });
@@ -197,7 +193,7 @@ export class BuildController implements StrokeHost, BuildActions {
 
   private refused(code: string): void {
     if (code !== 'rejected' && code !== 'Edit') return;
-    this.source_ = null;
+    this.sources_.forget();
     this.edits_.answered();
     if (this.strokes_.busy) return;
     this.edits_.forget();
@@ -208,23 +204,10 @@ export class BuildController implements StrokeHost, BuildActions {
     if (made.length === 0) return;
     this.preview = made;
     this.choosesNew_ = true;
-    const source = made.find(({ area, group }) => area?.kind === 'source' && group === 0);
-    if (source) {
-      this.source_ = source;
-      this.edits_.send({ label: firstOf('Add source'), changes: [newArrivals(source)], changed: [] });
-    } else
-      this.edits_.send({ label, changes: made.map((one) => things.addCommand(this.edits_.told(one))), changed: [] });
+    if (!this.sources_.begin(made)) this.change(label, made);
     // A refusal brings no new thing.
     window.clearTimeout(this.waits_);
     this.waits_ = window.setTimeout(() => (this.preview = []), kPreviewStays);
-  }
-
-  /** True where the group of a new source has come: the source is next. */
-  private sourceFollows(scene: SceneFacts, sameWorld: boolean): boolean {
-    const made = this.source_ && sameWorld ? joinedSource(this.source_, scene, this.served_) : null;
-    if (made || !sameWorld) this.source_ = null;
-    if (made) this.edits_.send({ label: 'Add source', changes: [things.addCommand(made)], changed: [] });
-    return made !== null;
   }
 
   change(label: string, changed: readonly Thing[]): void {
@@ -236,28 +219,19 @@ export class BuildController implements StrokeHost, BuildActions {
     const wall = things.hit(this.free, at, this.metres(6));
     const made = wall ? withDoor(wall, at, this.options.doorWidth) : 'Tap a wall where the door shall be.';
     if (typeof made === 'string') return this.say(made);
-    const [first, ...others] = made;
-    if (!first) return;
-    const changes = [things.changeCommand(first), ...others.map(things.addCommand)];
-    this.edits_.send({ label: 'Add door', changes, changed: [first] });
+    this.edits_.send(this.edits_.changeOf('Add door', made));
   }
 
   /** Changes what is chosen; what becomes a thing of another kind is another thing. */
   become(label: string, change: (one: Thing) => Thing): void {
-    const made = this.chosen_.map((one) => [one, change(one)] as const);
-    const others = made.filter(([one, now]) => one.kind !== now.kind);
-    if (others.length === 0) return this.edit(label, change);
-    this.choosesNew_ = true;
-    const changes = others.flatMap(([one, now]) => [
-      things.removeCommand(one),
-      things.addCommand(this.edits_.told({ ...now, id: 0 })),
-    ]);
-    this.edits_.send({ label, changes, changed: [] });
+    const edit = this.edits_.become(label, this.chosen_, this.chosen_.map(change));
+    this.choosesNew_ ||= edit.changed.length === 0;
+    this.edits_.send(edit);
   }
 
   setOptions(change: Partial<DrawingOptions>): void {
     this.options = { ...this.options, ...change };
-    this.showNow();
+    this.showChosen();
   }
 
   dragBegins(): void {
@@ -385,19 +359,8 @@ export class BuildController implements StrokeHost, BuildActions {
     this.strokes_.finishPolygon();
   }
 
-  /** While something is dragged the numbers follow a few times a second. */
   private showChosen(): void {
-    if (this.strokes_.dragging) {
-      this.showsSoon_ ||= window.setTimeout(() => this.showNow(), kNumbersFollow);
-      return;
-    }
-    this.showNow();
-  }
-
-  private showNow(): void {
-    window.clearTimeout(this.showsSoon_);
-    this.showsSoon_ = 0;
-    this.panel_.show({ chosen: this.chosen_ });
+    this.panel_.showChosen(this.chosen_, this.strokes_.dragging);
   }
 
   get chosen(): readonly Thing[] {

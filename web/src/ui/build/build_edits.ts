@@ -52,9 +52,22 @@ export class BuildEdits {
     return defined(one, this.time_());
   }
 
-  /** The edit that leaves the things like this. */
+  /** The edit that leaves the things like this; those without an id are new. */
   changeOf(label: string, changed: readonly Thing[]): PlaceEdit {
-    return { label, changes: changed.map((one) => things.changeCommand(this.told(one))), changed };
+    const change = (one: Thing): PlaceChange => (one.id === 0 ? things.addCommand(one) : things.changeCommand(one));
+    return {
+      label,
+      changes: changed.map((one) => change(this.told(one))),
+      changed: changed.filter(({ id }) => id !== 0),
+    };
+  }
+
+  /** The same where some of them are things of another kind now, and so other things. */
+  become(label: string, before: readonly Thing[], after: readonly Thing[]): PlaceEdit {
+    const others = before.filter((one, k) => one.kind !== after[k]!.kind);
+    const now = after.map((one, k) => (others.includes(before[k]!) ? { ...one, id: 0 } : one));
+    const edit = this.changeOf(label, now);
+    return { ...edit, changes: [...others.map(things.removeCommand), ...edit.changes] };
   }
 
   /** What the server shows, with what it has been told since. */

@@ -81,6 +81,9 @@ const kLayers: Record<ThingKind, string> = {
   group: 'People',
 };
 
+/** Numbers follow what is dragged so often [ms]. */
+const kNumbersFollow = 150;
+
 /** What the next thing will be like. */
 function Options({ tool, actions }: { readonly tool: BuildTool; readonly actions: BuildActions }): VNode {
   const { options } = actions;
@@ -176,6 +179,7 @@ interface Shown {
 
 export class BuildPanel {
   readonly root = element('section', { class: 'build-panel panel', 'aria-label': 'Build' });
+  private soon_ = 0;
   private shown_: Shown = {
     tool: 'select',
     hint: kTools.select[1],
@@ -190,8 +194,17 @@ export class BuildPanel {
 
   /** What the panel shows now. */
   show(change: Partial<Shown>): void {
+    window.clearTimeout(this.soon_);
+    this.soon_ = 0;
     this.shown_ = { ...this.shown_, ...change };
     render(this.content(), this.root);
+  }
+
+  /** Where it is being dragged the numbers follow a few times a second. */
+  showChosen(chosen: readonly Thing[], soon: boolean): void {
+    this.shown_ = { ...this.shown_, chosen };
+    if (soon) this.soon_ ||= window.setTimeout(() => this.show({}), kNumbersFollow);
+    else this.show({});
   }
 
   setTool(tool: BuildTool): void {
