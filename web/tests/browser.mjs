@@ -278,6 +278,7 @@ const kCases = [
     { touch: false, scenario: 'scenarios/open.json' },
   ],
   ['place files: grid map', placeFiles.importMap, ['desktop'], { touch: false, scenario: 'scenarios/open.json' }],
+  ['place files: water', placeFiles.importWater, ['wide', 'phone'], { touch: false, scenario: 'scenarios/open.json' }],
   ['place files: bad files', placeFiles.badFiles, ['desktop'], { touch: false, scenario: 'scenarios/open.json' }],
   [
     'place files: autosave',

@@ -87,13 +87,21 @@ export async function doorGateAndCar(studio) {
   await panel(studio).getByRole('button', { name: 'Open now' }).click();
   await panel(studio).getByRole('button', { name: 'Shut now' }).waitFor();
   await panel(studio).getByRole('button', { name: 'Play' }).click();
-  const aside = () => globalThis.__muster.frame.moving.find(({ id }) => id === 3)?.y ?? 0;
-  await studio.until('it slides open', `(${aside})() > 1.9`);
+  const until = (what, least, most) =>
+    studio.until(
+      what,
+      ([from, to]) => {
+        const { x, y } = globalThis.__muster.frame.moving.find(({ id }) => id === 3) ?? { x: NaN, y: NaN };
+        return Math.hypot(x, y) >= from && Math.hypot(x, y) <= to;
+      },
+      [least, most],
+    );
+  await until('it slides open', 1.5, 3);
   await panel(studio).getByRole('button', { name: 'Pause' }).click();
   await panel(studio).getByRole('button', { name: 'Shut now' }).click();
   await panel(studio).getByRole('button', { name: 'Open now' }).waitFor();
   await panel(studio).getByRole('button', { name: 'Play' }).click();
-  await studio.until('it shuts', `(${aside})() < 0.05`);
+  await until('it shuts', 0, 0.05);
   await panel(studio).getByRole('button', { name: 'Pause' }).click();
   await tool(studio, 'Car');
   await drag(studio, { x: -6, y: -5 }, { x: 1, y: -5 }, how);

@@ -16,9 +16,15 @@ const kNarrow = 420;
 const kWidenNarrow = [kWiden, 4, 2] as const;
 const kReadable = 14;
 
+function corners({ min, max }: SceneFacts['box']): GroundPoint[] {
+  return [min[0], max[0]].flatMap((x) => [min[1], max[1]].map((y) => ({ x, y })));
+}
+
 export class ViewFitter {
   /** What panels cover. */
   padding: Padding = { top: 84, right: 24, bottom: 120, left: 24 };
+  /** The next world opens with all of it in view. */
+  whole = false;
   private scene_: SceneFacts | null = null;
   private opened_ = false;
 
@@ -39,7 +45,10 @@ export class ViewFitter {
     const points = crowdOutline(positions, groups, this.span());
     if (points.length === 0) return;
     this.opened_ = true;
+    const { whole, scene_: scene } = this;
+    this.whole = false;
     if (this.camera_.placed) return;
+    if (whole && scene) return this.camera_.fit(corners(scene.box), this.padding);
     const wanted = [...points, ...goals(groups, points)];
     for (const widen of this.narrow() ? kWidenNarrow : [kWiden]) {
       this.camera_.fit([...wanted, ...surroundings(this.scene_, points, widen)], this.padding);

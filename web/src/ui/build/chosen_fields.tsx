@@ -160,7 +160,7 @@ function OneFields({ one, actions }: FieldsProps): VNode {
         <MotionField {...both} />
       )}
       <SizeFields {...both} />
-      {one.radius > 0 && one.kind !== 'group' && (
+      {!one.polygon && one.kind !== 'group' && (
         <NumberField
           label="Radius"
           value={one.radius}

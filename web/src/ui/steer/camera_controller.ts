@@ -25,7 +25,7 @@ const kSpan = kSpanLeast.narrow;
 const kViewsKey = 'muster.views.';
 
 export interface CameraControllerHost {
-  readonly view: Pick<StudioScene, 'camera' | 'worldToScreen' | 'setPadding' | 'fitCrowd' | 'lookAt'>;
+  readonly view: Pick<StudioScene, 'camera' | 'worldToScreen' | 'fitter' | 'fitCrowd' | 'lookAt'>;
   readonly store: StudioStore;
   readonly canvas: Pick<HTMLCanvasElement, 'clientWidth' | 'clientHeight'>;
   /** What the panels cover. */
@@ -97,13 +97,13 @@ export class CameraController {
   }
 
   fit(): void {
-    this.host_.view.setPadding(this.host_.padding());
+    this.host_.view.fitter.padding = this.host_.padding();
     this.host_.view.fitCrowd();
   }
 
   lookAt(point: GroundPoint): void {
     this.follow_.release();
-    this.host_.view.setPadding(this.host_.padding());
+    this.host_.view.fitter.padding = this.host_.padding();
     this.host_.view.lookAt(point);
   }
 
