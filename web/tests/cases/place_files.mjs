@@ -333,11 +333,11 @@ export async function importWater(studio, server) {
   const small = await present(server);
   const rows = kSmallMap.split('\n').slice(4);
   const free = ([x, y]) => rows[7 - Math.floor(y)][Math.floor(x)] === '.';
-  const people = await studio.until('its people', () => {
+  await studio.until('its people', () => globalThis.__muster.frame.x.length < 49);
+  const stand = await studio.page.evaluate(() => {
     const { x, y } = globalThis.__muster.frame;
-    return globalThis.__muster.state.title === 'Small' && x.length > 0 && Array.from(x, (one, i) => [one, y[i]]);
+    return Array.from(x, (one, i) => [one, y[i]]);
   });
-  const stand = await people.jsonValue();
   expect(stand.length > 9 && stand.length < 50 && stand.every(free), `on free ground: ${JSON.stringify(stand)}`);
   expect(small.patches.length === 1 && small.patches[0].motion === 'swim', JSON.stringify(small.patches));
   await allInSight(studio, [
