@@ -1,5 +1,7 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vitest/config';
+import { leanThree } from './lean_three';
+import { plainFont } from './plain_font';
 
 // The page is served by `muster studio` at its root. `npm run dev` hands the WebSocket on to a server on port 8080.
 export default defineConfig({
@@ -11,6 +13,7 @@ export default defineConfig({
     chunkSizeWarningLimit: 900,
     rollupOptions: { input: 'index.html' },
   },
+  plugins: [leanThree(), plainFont()],
   worker: { format: 'es' },
   // The package of bindings/javascript, from its sources.
   resolve: {

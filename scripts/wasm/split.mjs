@@ -65,7 +65,7 @@ try {
   );
   writeFileSync(
     `${linked}.xz`,
-    execFileSync('xz', ['-9e', '--check=crc32', '--stdout', first], { maxBuffer: 1 << 28 }),
+    execFileSync('xz', ['--check=crc32', '--lzma2=preset=9e,lc=4,pb=1', '--stdout', first], { maxBuffer: 1 << 28 }),
   );
 } finally {
   rmSync(work, { recursive: true, force: true });

@@ -1,6 +1,7 @@
 // The studio's page.
 
 import '@fontsource-variable/inter';
+import './ui/styles/font.css';
 import './ui/styles/tokens.css';
 import './ui/styles/base.css';
 import './ui/styles/panels.css';

@@ -1,94 +1,82 @@
 // Muster's own bodies, from the GLB files that the server has.
 
-import { BufferAttribute, BufferGeometry, type InterleavedBufferAttribute, SkinnedMesh } from 'three';
-import { GLTFLoader, type GLTF } from 'three/examples/jsm/loaders/GLTFLoader.js';
+import { BufferAttribute, BufferGeometry, Matrix4 } from 'three';
 import { ask } from '../../../link/answers';
 import type { Body, BodyPart } from './body';
+import { readGlbSkin, type GlbSkin, type Rows } from './glb_skin';
 import { plainRig, type Rig } from './rig';
 import { jointIndex, kJoints, restPositions } from '../../../model/skeleton';
 
-type Attribute = BufferAttribute | InterleavedBufferAttribute;
-
 /** Files have y up and face +z: x, y, z there are our y, z, x. */
-export function toOurs(attribute: Attribute): Float32Array {
-  const out = new Float32Array(3 * attribute.count);
-  for (let i = 0; i < attribute.count; ++i) {
-    out[3 * i] = attribute.getZ(i);
-    out[3 * i + 1] = attribute.getX(i);
-    out[3 * i + 2] = attribute.getY(i);
-  }
-  return out;
+function toOurs(rows: Rows): Float32Array {
+  return filled(rows.count, 3, (i, k) => rows.at(i, (k + 2) % 3));
 }
 
-function need(geometry: BufferGeometry, name: string): Attribute {
-  const found = geometry.attributes[name];
+function filled(count: number, columns: number, value: (row: number, column: number) => number): Float32Array {
+  return Float32Array.from({ length: columns * count }, (_, at) => value(Math.floor(at / columns), at % columns));
+}
+
+function need(skin: GlbSkin, name: string): Rows {
+  const found = skin.attribute(name);
   if (!found) throw new Error(`the skin has no ${name}`);
   return found;
 }
 
-/** The first skinned mesh of a file. */
-function skinOf(gltf: GLTF): SkinnedMesh {
-  let found: SkinnedMesh | null = null;
-  gltf.scene.traverse((node) => {
-    if (!found && node instanceof SkinnedMesh) found = node;
-  });
-  if (!found) throw new Error('there is no skinned mesh');
-  return found;
-}
-
-function partOf(mesh: SkinnedMesh, roles: readonly number[]): BodyPart {
-  const { geometry: source } = mesh;
-  const [skin, weight, position] = [need(source, 'skinIndex'), need(source, 'skinWeight'), need(source, 'position')];
-  const count = position.count;
-  const joints = new Float32Array(4 * count);
-  const weights = new Float32Array(4 * count);
-  const region = new Float32Array(count);
-  // three.js writes the names of attributes of its own in small letters.
-  const named = source.attributes['_region'] ?? source.attributes['_REGION'];
-  for (let i = 0; i < count; ++i) {
-    for (let k = 0; k < 4; ++k) {
-      joints[4 * i + k] = roles[skin.getComponent(i, k)] ?? 0;
-      weights[4 * i + k] = weight.getComponent(i, k);
-    }
-    region[i] = named ? named.getX(i) : 1;
-  }
+function partOf(skin: GlbSkin, roles: readonly number[]): BodyPart {
+  const [joint, weight, position] = [need(skin, 'JOINTS_0'), need(skin, 'WEIGHTS_0'), need(skin, 'POSITION')];
+  const { count } = position;
+  const region = skin.attribute('_REGION');
   const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(toOurs(position), 3));
-  geometry.setAttribute('normal', new BufferAttribute(toOurs(need(source, 'normal')), 3));
-  geometry.setAttribute('joints', new BufferAttribute(joints, 4));
-  geometry.setAttribute('weights', new BufferAttribute(weights, 4));
-  geometry.setAttribute('region', new BufferAttribute(region, 1));
-  geometry.setAttribute('tint', new BufferAttribute(new Float32Array(3 * count).fill(1), 3));
-  geometry.setIndex(source.index);
+  const put = (name: string, columns: number, values: Float32Array): void => {
+    geometry.setAttribute(name, new BufferAttribute(values, columns));
+  };
+  put('position', 3, toOurs(position));
+  put('normal', 3, toOurs(need(skin, 'NORMAL')));
+  put(
+    'joints',
+    4,
+    filled(count, 4, (i, k) => roles[joint.at(i, k)] ?? 0),
+  );
+  put(
+    'weights',
+    4,
+    filled(count, 4, (i, k) => weight.at(i, k)),
+  );
+  put(
+    'region',
+    1,
+    filled(count, 1, (i) => region?.at(i, 0) ?? 1),
+  );
+  put('tint', 3, new Float32Array(3 * count).fill(1));
+  geometry.setIndex(Array.from({ length: skin.index.count }, (_, i) => skin.index.at(i, 0)));
   return { geometry, map: null };
 }
 
 /** Where its joints are in the pose it was modelled in. */
-function rigOf(mesh: SkinnedMesh, roles: readonly number[]): Rig {
+function rigOf(skin: GlbSkin, roles: readonly number[]): Rig {
   const bind = restPositions();
-  mesh.skeleton.bones.forEach((_, b) => {
-    const role = roles[b]!;
-    const inverse = mesh.skeleton.boneInverses[b]!.clone().invert().elements;
-    bind.set([inverse[14], inverse[12], inverse[13]], 3 * role);
+  roles.forEach((role, b) => {
+    const inverse = new Matrix4().fromArray(Array.from({ length: 16 }, (_, k) => skin.inverseBinds.at(b, k)));
+    const at = inverse.invert().elements;
+    bind.set([at[14], at[12], at[13]], 3 * role);
   });
   return plainRig(bind);
 }
 
 /** Joints by the skeleton's names. */
-function rolesOf(mesh: SkinnedMesh): number[] {
-  const roles = mesh.skeleton.bones.map((bone) => jointIndex(bone.name));
+function rolesOf({ joints }: GlbSkin): number[] {
+  const roles = joints.map(jointIndex);
   const strange = roles.indexOf(-1);
-  if (strange >= 0) throw new Error(`it has a joint called ${mesh.skeleton.bones[strange]!.name}`);
+  if (strange >= 0) throw new Error(`it has a joint called ${joints[strange]!}`);
   if (new Set(roles).size !== kJoints) throw new Error(`it has ${new Set(roles).size} of ${kJoints} joints`);
   return roles;
 }
 
 /** A body of two files' contents. Throws with a reason. */
-export async function readBody(name: string, near: ArrayBuffer, far: ArrayBuffer): Promise<Body> {
-  const loader = new GLTFLoader();
-  const [skin, coarse] = (await Promise.all([loader.parseAsync(near, ''), loader.parseAsync(far, '')])).map(skinOf);
-  const roles = rolesOf(skin!);
-  return { name, rig: rigOf(skin!, roles), near: [partOf(skin!, roles)], far: [partOf(coarse!, rolesOf(coarse!))] };
+export function readBody(name: string, near: ArrayBuffer, far: ArrayBuffer): Body {
+  const [skin, coarse] = [readGlbSkin(near), readGlbSkin(far)];
+  const roles = rolesOf(skin);
+  return { name, rig: rigOf(skin, roles), near: [partOf(skin, roles)], far: [partOf(coarse, rolesOf(coarse))] };
 }
 
 async function bytesOf(path: string): Promise<ArrayBuffer> {
