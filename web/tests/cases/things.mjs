@@ -170,7 +170,7 @@ export async function mistakes(studio) {
   await studio.shot('things-mistake');
   await serious(studio, 'a mistake');
   await tool(studio, 'Select');
-  await tap(studio, { x: 5, y: -4 });
+  await studio.page.keyboard.press('Escape');
   await studio.eventually(async () =>
     expect((await studio.page.locator('.build-chosen-fields').count()) === 0, 'nothing is chosen'),
   );

@@ -55,8 +55,8 @@ export function motionOf(clips: readonly PlaceClip[], name: string): number {
 function nameOfObstacle(one: Thing): string {
   if (one.polygon === null) return 'Pillar';
   if (gateOf(one)) return 'Gate';
-  if (one.path) return 'Mover';
   const { length, width } = frameOf(one.polygon);
+  if (one.path) return length > 2.8 && length < 7 && width > 1.3 && width < 2.6 ? 'Car' : 'Mover';
   return Math.min(length, width) < 0.2 * Math.max(length, width) ? 'Wall' : 'Block';
 }
 

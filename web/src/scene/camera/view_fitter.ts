@@ -16,8 +16,12 @@ const kNarrow = 420;
 const kWidenNarrow = [kWiden, 4, 2] as const;
 const kReadable = 14;
 
+/** Walls at the sides of a place reach so far beyond it on the screen [m]. */
+const kWalls = 2;
+
 function corners({ min, max }: SceneFacts['box']): GroundPoint[] {
-  return [min[0], max[0]].flatMap((x) => [min[1], max[1]].map((y) => ({ x, y })));
+  const xs = [min[0] - kWalls, max[0] + kWalls];
+  return xs.flatMap((x) => [min[1] - kWalls, max[1] + kWalls].map((y) => ({ x, y })));
 }
 
 export class ViewFitter {

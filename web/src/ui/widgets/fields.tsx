@@ -108,7 +108,7 @@ export function SelectField({ label, name, words, value, act }: SelectFieldProps
   return (
     <label class="build-field">
       <span>{label}</span>
-      <select aria-label={name} value={value} onChange={({ currentTarget }) => act(currentTarget.value)}>
+      <select aria-label={name ?? label} value={value} onChange={({ currentTarget }) => act(currentTarget.value)}>
         {known.map((word) => (
           <option key={word} value={word}>
             {word}
