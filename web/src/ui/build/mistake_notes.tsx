@@ -61,7 +61,7 @@ export class MistakeNotes {
 
   private note({ one, left, top }: { readonly one: Mistake; readonly left: number; readonly top: number }): VNode {
     return (
-      <div key={one.thing.id} class="build-note" role="alert" style={`left: ${left}px; top: ${top}px`}>
+      <div key={one.thing.id} class="build-note panel" role="alert" style={`left: ${left}px; top: ${top}px`}>
         <button type="button" onClick={() => this.host_.choose(one)}>
           {one.text}
         </button>
