@@ -42,6 +42,7 @@ import * as study from './cases/study.mjs';
 import * as oldTakes from './cases/old_take.mjs';
 import * as paths from './cases/path.mjs';
 import * as takes from './cases/takes.mjs';
+import * as things from './cases/things.mjs';
 import * as touch from './cases/touch.mjs';
 import * as undo from './cases/undo.mjs';
 import * as words from './cases/words.mjs';
@@ -215,6 +216,7 @@ const kCases = [
   ['build: drags', build.dragsInARow, ['desktop'], { touch: false, scenario: 'scenarios/open.json', room: true }],
   ['build: drags by touch', build.dragsByTouch, ['portrait'], { scenario: 'scenarios/open.json', room: true }],
   ...buildPeople.kPeopleCases,
+  ...things.kThingCases,
   ...areas.kAreaCases,
   ['build: by touch', build.byTouch, ['landscape', 'portrait', 'phone'], kOpen],
   ['measures: a door', measures.door, [...kTablets, 'phone'], { scenario: 'web/tests/scenarios/door.json' }],
@@ -305,6 +307,7 @@ const kCases = [
     { touch: false, scenario: 'scenarios/open.json' },
   ],
   ['place files: grid map', placeFiles.importMap, ['desktop'], { touch: false, scenario: 'scenarios/open.json' }],
+  ['place files: water', placeFiles.importWater, ['wide', 'phone'], { touch: false, scenario: 'scenarios/open.json' }],
   ['place files: bad files', placeFiles.badFiles, ['desktop'], { touch: false, scenario: 'scenarios/open.json' }],
   [
     'place files: autosave',

@@ -52,7 +52,12 @@ export async function directByWords(studio) {
   expect((await studio.frame()).groups.length === before.groups.length, 'a preview changes nothing');
   await page.keyboard.press('Enter');
   await groupsToBe(studio, before.groups.length + 1);
-  await studio.until('orders of the part', () => globalThis.__muster.frame.groups.at(-1).orders.length === 1, null, 20000);
+  await studio.until(
+    'orders of the part',
+    () => globalThis.__muster.frame.groups.at(-1).orders.length === 1,
+    null,
+    20000,
+  );
   await studio.eventually(async () => {
     const { groups } = await studio.frame();
     const part = groups.at(-1);

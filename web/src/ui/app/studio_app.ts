@@ -322,7 +322,7 @@ export class StudioApp {
       const opens = !before || !isSameWorld(before, scene);
       if (opens) this.forgetWorld();
       this.view_.setScene(scene);
-      if (opens) this.view_.setPadding(this.shell_.padding());
+      if (opens) this.view_.fitter.padding = this.shell_.padding();
     } catch (error) {
       this.store.set({ notice: problem('scene', `The scene could not be shown: ${String(error)}`) });
     }
