@@ -8,6 +8,7 @@ import * as buildPeople from './cases/build_people.mjs';
 import * as buildCorners from './cases/build_corners.mjs';
 import * as camera from './cases/camera.mjs';
 import * as directors from './cases/directors.mjs';
+import * as darkWalls from './cases/dark_walls.mjs';
 import * as demonstration from './cases/demonstration.mjs';
 import * as feedback from './cases/feedback.mjs';
 import * as film from './cases/film_camera.mjs';
@@ -16,6 +17,8 @@ import * as firstMinute from './cases/first_minute.mjs';
 import * as forms from './cases/forms.mjs';
 import * as groupAppearance from './cases/group_appearance.mjs';
 import * as groupColour from './cases/group_colour.mjs';
+import * as keys from './cases/keys.mjs';
+import * as letters from './cases/letters.mjs';
 import * as limits from './cases/limits.mjs';
 import * as look from './cases/look.mjs';
 import * as measures from './cases/measures.mjs';
@@ -45,6 +48,7 @@ import { kPort, startStudio } from './support/server.mjs';
 import { StudioPage } from './support/studio_page.mjs';
 
 const kOpen = { scenario: 'scenarios/open.json', room: true };
+const kTwo = { touch: false, scenario: 'web/tests/scenarios/two-groups.json', room: true };
 const kTablets = ['desktop', 'landscape', 'portrait'];
 
 /** Name, test, sizes, and options of the page. `room`: zoomed out, to have room to drag; `shared`: one page serves all such
@@ -72,6 +76,8 @@ const kCases = [
   ],
   ['mouse: camera', mouseAndKeys.mouseCamera, ['desktop'], { touch: false, shared: true }],
   ['keyboard only', mouseAndKeys.keyboardOnly, ['desktop'], { touch: false, room: true, shared: true }],
+  ['phone: the active ones in sight', keys.activeInSight, ['phone'], { scenario: 'scenarios/market.json' }],
+  ['keys: orders and cuts', keys.ordersAndCuts, ['desktop'], kTwo],
   ['units: split and merge', orders.splitAndMerge, kTablets, { room: true }],
   ['units: pulled apart', orders.pullApart, ['landscape'], { room: true }],
   [
@@ -142,6 +148,7 @@ const kCases = [
   ['drawn formation', shapes.drawnFormation, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
   ['formation of one’s own', shapes.ownShape, ['desktop', 'portrait', 'phone'], { scenario: 'scenarios/open.json' }],
   ['written formation', shapes.writtenFormation, ['desktop'], { scenario: 'scenarios/open.json', room: true }],
+  ...letters.kLetterCases,
   ['forms: look by mouse', forms.lookByMouse, ['desktop'], { touch: false, scenario: 'scenarios/block.json' }],
   ['forms: look by touch', forms.lookByTouch, ['landscape', 'portrait', 'phone'], { scenario: 'scenarios/block.json' }],
   [
@@ -174,6 +181,7 @@ const kCases = [
   ['palm and restart', findings.palmAndRestart, ['landscape'], { scenario: 'scenarios/open.json' }],
   ['pinned marks', findings.marks, ['desktop'], { touch: false, scenario: 'scenarios/open.json' }],
   ['hidden people', findings.hiddenPeople, ['desktop'], { scenario: 'scenarios/block.json' }],
+  ['dark walls', darkWalls.darkWalls, ['desktop'], { scenario: 'scenarios/block.json', colorScheme: 'dark' }],
   ['small rings', findings.smallRings, ['phone', 'narrow'], { scenario: 'scenarios/open.json' }],
   [
     'nothing overlaps',
@@ -283,6 +291,7 @@ const kCases = [
   ['first visit', look.firstVisit, [...kTablets, 'phone', 'narrow'], { hint: true, everySize: true }],
   ['layout', look.layout, [...kTablets, 'phone', 'narrow', 'zoomed'], { everySize: true }],
   ['access', look.accessible, [...kTablets, 'phone', 'zoomed'], { everySize: true }],
+  ...look.kAccessCases,
   ['lost and found', session.lostAndFound, ['landscape'], {}],
   ['control schemes by mouse', schemes.byMouse, ['desktop'], { touch: false, room: true }],
   ['control schemes by touch', schemes.byTouch, ['landscape', 'phone'], { room: true }],

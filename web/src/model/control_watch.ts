@@ -17,6 +17,11 @@ export const kKindNames: Record<ControlKind, string> = {
   [ControlKind.Area]: 'Area',
 };
 
+/** "line"; null without a control. */
+export function heldWord(control: { readonly kind: ControlKind } | null | undefined): string | null {
+  return control ? kKindNames[control.kind].toLowerCase() : null;
+}
+
 export class ControlWatch {
   private known_ = new Map<string, ControlKind>();
 

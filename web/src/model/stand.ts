@@ -77,12 +77,12 @@ export function unfitCount(unfit: ArrayLike<number>): number {
   return count;
 }
 
-/** "7 of 60 places cannot be reached"; in all groups together. */
+/** "7 of 60 spots cannot be reached"; in all groups together. */
 export function unfitWords(unfits: readonly ArrayLike<number>[]): StandWords {
   const all = unfits.reduce((sum, unfit) => sum + unfit.length, 0);
   const bad = unfits.reduce((sum, unfit) => sum + unfitCount(unfit), 0);
   if (all === 0) return { text: '', warns: false };
   if (bad === 0)
-    return { text: all === 1 ? 'The place can be reached' : `All ${all} places can be reached`, warns: false };
-  return { text: `${bad} of ${all} places cannot be reached`, warns: true };
+    return { text: all === 1 ? 'The spot can be reached' : `All ${all} spots can be reached`, warns: false };
+  return { text: `${bad} of ${all} spots cannot be reached`, warns: true };
 }

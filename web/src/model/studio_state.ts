@@ -28,7 +28,7 @@ export type ToolName = 'steer' | 'order' | 'cut' | 'follow' | 'guard' | 'leave' 
 /** What the dialog of places shows. */
 export type PlacesView = 'none' | 'shelf' | 'new' | 'import' | 'save';
 
-export type DialogName = 'none' | 'text' | 'shape' | 'group';
+export type DialogName = 'none' | 'text' | 'shape' | 'qr' | 'group';
 
 /** What the hint of the first visit tells of. */
 export const kHintSteps = ['point', 'line', 'area', 'camera'] as const;
@@ -98,6 +98,8 @@ export interface StudioState {
   readonly link: LinkState;
   /** Whether a scene was ever seen. */
   readonly loaded: boolean;
+  /** Of a body, as the world has it [m]. */
+  readonly bodyRadius: number;
   readonly scenarios: readonly ScenarioInfo[];
   readonly scenario: string;
   readonly title: string;
@@ -203,6 +205,7 @@ export const kInitialState: StudioState = {
   input: 'mouse',
   link: { phase: 'connecting' },
   loaded: false,
+  bodyRadius: 0.25,
   scenarios: [],
   scenario: '',
   title: '',

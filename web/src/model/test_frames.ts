@@ -102,6 +102,7 @@ interface QuietOrders {
   readonly returns: ReadonlyMap<number, GroundPoint[]>;
   readonly picked: number;
   readonly cut: null;
+  readonly cursor: null;
   readonly scheme: null;
 }
 
@@ -118,6 +119,7 @@ export function quietOrders(): QuietOrders {
     ways: new Map<number, GroundPoint[]>(),
     returns: new Map<number, GroundPoint[]>(),
     picked: 0,
+    cursor: null,
     cut: null,
     scheme: null,
   };

@@ -193,7 +193,7 @@ export class EnvironmentLayer {
       else edges.push(...addObstacle(builder, obstacle, palette));
       ends.push(builder.triangleCount);
     }
-    this.buildings_.build(builder, still, ends);
+    this.buildings_.build(builder, still, ends, palette.thinGlow);
     this.group.add(this.buildings_.group);
     const lines = outerEdges(edges).map((line) => ({ line, colour: palette.obstacleEdge, alpha: 0.8 }));
     this.addLines(this.group, lines, 1, 0);

@@ -7,6 +7,7 @@ import type { GroundPoint } from '../model/plane';
 import type { BodyBuildWord } from '../protocol/generated/words';
 import type { SceneGroup } from '../protocol/messages';
 import type { DrawnCut, DrawnForecast, DrawnOrder, OrderScene } from './marks/order_marks';
+import { saidOf } from './marks/stand_marks';
 import { schemePicture, type CrowdPlaces, type SchemeView } from './marks/scheme_marks';
 
 type Ways = ReadonlyMap<number, readonly GroundPoint[]>;
@@ -23,6 +24,7 @@ export class OrderPicture {
   private picked_ = 0;
   private cut_: DrawnCut | null = null;
   private scheme_: SchemeView | null = null;
+  private cursor_: GroundPoint | null = null;
   private groups_: readonly GroupView[] = [];
   private colours_: readonly number[] = [];
   private builds_: readonly (BodyBuildWord | null)[] = [];
@@ -96,6 +98,16 @@ export class OrderPicture {
     this.changed_();
   }
 
+  /** The cursor of the keys; null while it is away. */
+  get cursor(): GroundPoint | null {
+    return this.cursor_;
+  }
+
+  set cursor(at: GroundPoint | null) {
+    this.cursor_ = at;
+    this.changed_();
+  }
+
   /** What a control scheme shows; null for nothing. */
   setScheme(scheme: SchemeView | null): void {
     this.scheme_ = scheme;
@@ -112,6 +124,11 @@ export class OrderPicture {
     return true;
   }
 
+  /** What would come of the order that is being drawn, in words. */
+  get words(): string {
+    return saidOf(this.forecasts_, this.drawn_?.note?.text);
+  }
+
   /** For the marks. */
   scene(queues: boolean): Omit<OrderScene, 'camera' | 'palette' | 'colours' | 'greyed'> {
     return {
@@ -125,6 +142,7 @@ export class OrderPicture {
       returns: this.returns_,
       picked: this.picked_,
       cut: this.cut_,
+      cursor: this.cursor_,
       scheme: this.scheme_ && schemePicture(this.scheme_, this.crowd_),
     };
   }

@@ -38,6 +38,15 @@ const kDialogs = [
 const kSteering = [
   ['words as a formation', (studio) => press(studio, '.formation[data-opens="text"]')],
   ['formation of one’s own', (studio) => press(studio, '.formation[data-opens="shape"]')],
+  [
+    'QR code',
+    async (studio) => {
+      if (!(await press(studio, '.formation[data-opens="shape"]'))) return false;
+      await studio.page.locator('dialog[open] button', { hasText: 'QR code' }).click();
+      await studio.page.locator('dialog[open] input[inputmode="url"]').fill('https://example.org/a');
+      return true;
+    },
+  ],
   ['group to add', (studio) => press(studio, '.add-group')],
 ];
 
@@ -63,7 +72,7 @@ async function item(studio, name) {
 }
 
 /** What is open at present, and where it fails. */
-class Reach {
+export class Reach {
   constructor(studio) {
     this.studio = studio;
     this.wrong = [];
@@ -140,8 +149,7 @@ async function giveOrders(studio) {
   await studio.send({ type: 'Commands', commands });
 }
 
-async function steering(studio) {
-  const reach = new Reach(studio);
+export async function steering(studio, reach = new Reach(studio)) {
   await reach.look('first visit');
   await press(studio, '.hint-done');
   await reach.look('all that stands');
@@ -173,7 +181,7 @@ async function steering(studio) {
   await studio.until('the queue', () => document.querySelector('.queue-chip')?.checkVisibility());
   await press(studio, '.queue-chip');
   await reach.look('queue');
-  if (await press(studio, '.queue-act[aria-label="Formations"]')) {
+  if (await press(studio, '.queue-act[aria-label="On the way"]')) {
     await studio.page.locator('.sequence').waitFor();
     await reach.look('formations along the way');
     await press(studio, '.sequence button[aria-label^="Close"]');
@@ -198,12 +206,11 @@ async function tabs(studio) {
   return names.length > 0 ? names : ['formation'];
 }
 
-async function watching(studio) {
+export async function watching(studio, reach = new Reach(studio)) {
   await record(studio, 0.6);
   await stop(studio);
   await play(studio);
   await pause(studio);
-  const reach = new Reach(studio);
   await reach.look('time line');
   await reach.menus();
   await reach.dialogs(kDialogs);
@@ -243,7 +250,7 @@ async function exportKeepsFocus(studio) {
 
 const kAllSizes = ['wide', 'landscape', 'tablet', 'portrait', 'phone'];
 /** Two groups, and an invitation to direct. */
-const kTogether = {
+export const kTogether = {
   scenario: 'web/tests/scenarios/two-groups.json',
   options: ['--lan'],
   search: '?quality=light',
@@ -251,6 +258,6 @@ const kTogether = {
 };
 
 export const kReachCases = [
-  ['reach: steering', steering, kAllSizes, { ...kTogether, hint: true }],
-  ['reach: watching a take', watching, kAllSizes, kTogether],
+  ['reach: steering', (studio) => steering(studio), kAllSizes, { ...kTogether, hint: true }],
+  ['reach: watching a take', (studio) => watching(studio), kAllSizes, kTogether],
 ];

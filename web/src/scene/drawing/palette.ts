@@ -36,6 +36,8 @@ export interface Palette {
   readonly roof: string;
   readonly roofHatch: string;
   readonly wall: string;
+  /** What a wall shines by itself while it is made transparent. */
+  readonly thinGlow: string;
   readonly crown: string;
   readonly trunk: string;
   readonly stone: string;
@@ -80,6 +82,7 @@ const kLight: Palette = {
   roof: '#EDE8DF',
   roofHatch: '#DAD4C9',
   wall: '#DDD6CA',
+  thinGlow: '#000000',
   crown: '#9DBB8B',
   trunk: '#8A6D52',
   stone: '#E4DED2',
@@ -119,10 +122,11 @@ const kDark: Palette = {
     source: { floor: '#24354A', line: '#7FB2E6' },
     waiting: { floor: '#3B3421', line: '#D6B45A' },
   },
-  obstacleEdge: '#6C7884',
-  roof: '#3F4750',
-  roofHatch: '#475059',
-  wall: '#343B43',
+  obstacleEdge: '#A9B4BF',
+  roof: '#505A64',
+  roofHatch: '#5A646F',
+  wall: '#707C88',
+  thinGlow: '#808C98',
   crown: '#4C6644',
   trunk: '#5E4A39',
   stone: '#4A525B',

@@ -77,6 +77,7 @@ export class MarkLayer {
     this.dots_ = dots;
     for (const draft of scene.drafts) this.drawDraft(draft, scene);
     this.painter_.alpha = 1;
+    this.drawCursor(marks, scene);
   }
 
   private extentOf(controls: readonly ShownControl[], marks: MarkState, scene: MarkScene): MarkExtent {
@@ -96,6 +97,7 @@ export class MarkLayer {
       for (const dx of [-kNameRoom, kNameRoom]) extent.add({ x: at.x + dx, y: at.y + kNameBelow });
       extent.add(at);
     }
+    if (scene.cursor) add(scene.cursor.x, scene.cursor.y);
     for (const { points, handles } of scene.drafts) for (const point of [...points, ...handles]) add(point.x, point.y);
     addAll(scene.overlay?.path ?? []);
     this.orders_.extend(extent, scene);
@@ -245,6 +247,12 @@ export class MarkLayer {
     const at = scene.camera.worldToScreen(ring.at.x, ring.at.y);
     this.painter_.ring(at, colours, 0.55 + 0.45 * marks.grown(ring.since, scene.now, 90));
     return at;
+  }
+
+  /** In its director's colour. */
+  private drawCursor({ directors, client }: MarkState, { cursor, camera, palette }: MarkScene): void {
+    const accent = directors.get(client)?.colour ?? palette.ink;
+    if (cursor) this.painter_.cursor(camera.worldToScreen(cursor.x, cursor.y), { accent, casing: '#ffffff' });
   }
 
   private drawDraft(draft: DraftControl, scene: MarkScene): void {

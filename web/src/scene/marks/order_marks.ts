@@ -73,6 +73,8 @@ export interface OrderScene {
   /** The order that is chosen in the list of the queue; 0 for none. */
   readonly picked: number;
   readonly cut: DrawnCut | null;
+  /** Of the keys. */
+  readonly cursor: GroundPoint | null;
   readonly scheme: SchemePicture | null;
 }
 
@@ -183,7 +185,7 @@ export class OrderMarks {
     this.drawNumbers(group, legs, colours, scene);
     drawStations(painter, legs, colours, scene);
     if (group.held && legs.length > 0) {
-      painter.pauseBadge(scene.camera.worldToScreen(group.x, group.y), colours, inkOn(scene.palette, colours.accent));
+      painter.holdBadge(scene.camera.worldToScreen(group.x, group.y), colours, inkOn(scene.palette, colours.accent));
     }
   }
 

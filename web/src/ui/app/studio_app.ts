@@ -16,6 +16,7 @@ import { isSameWorld, type SceneFacts } from '../../protocol/scene';
 import { problem, word } from '../../protocol/problem';
 import { CameraGesture, OrbitGesture } from '../../tools/camera_gesture';
 import type { Contact, ContactOwner } from '../../tools/contact';
+import { heldWord } from '../../model/control_watch';
 import { CrowdKeys } from '../../tools/crowd_keys';
 import { Drafts } from '../../tools/drafts';
 import { FormationHitTest } from '../../tools/formation_hit_test';
@@ -32,7 +33,8 @@ import { judged } from '../orders/judged_orders';
 import { OrderController } from '../orders/order_controller';
 import { DirectorsController } from '../directors/directors_controller';
 import { AttentionSender } from './attention_sender';
-import { ControlWatch, kKindNames, type ControlNews } from '../../model/control_watch';
+import { ControlAnnouncer } from './control_announcer';
+import { LazyCursor } from '../steer/lazy_cursor';
 import { GhostHand } from '../steer/ghost_hand';
 import { openDialogsLazily } from './lazy_dialogs';
 import { ShapeController } from '../formations/shape_controller';
@@ -50,18 +52,12 @@ import { SchemeController } from '../steer/scheme_controller';
 import { StudioShell } from './studio_shell';
 import { studioShortcuts } from './studio_shortcuts';
 import { StatsReadout, wantsStats } from './stats_readout';
-import { isLost, type HintStep } from '../../model/studio_state';
+import { isLost } from '../../model/studio_state';
 import type { GroundPoint, ScreenPoint } from '../../model/plane';
 import { pageClock } from '../../model/page_clock';
 import type { Padding } from '../../scene/camera/camera_controls';
 import { fieldScale } from '../../model/field_scale';
 import { StudioStore } from '../../model/studio_store';
-
-const kTried: Record<ControlKind, HintStep> = {
-  [ControlKind.Point]: 'point',
-  [ControlKind.Line]: 'line',
-  [ControlKind.Area]: 'area',
-};
 
 export class StudioApp {
   readonly latency = new LatencyMeter();
@@ -71,7 +67,6 @@ export class StudioApp {
   private scene_: SceneFacts | null = null;
   private sceneRevision_ = 0;
   private readonly reader_ = new FrameReader();
-  private readonly watch_ = new ControlWatch();
   private readonly formations_ = new FormationWatch();
   private readonly demonstrations_ = new DemonstrationWatch();
   readonly camera: CameraController;
@@ -90,6 +85,8 @@ export class StudioApp {
   private readonly controls_: VirtualControls;
   private readonly chooser_: ToolChooser;
   private readonly keys_: CrowdKeys;
+  private readonly cursor_ = new LazyCursor();
+  private readonly announcer_: ControlAnnouncer;
   private readonly stats_ = wantsStats(window.location.search) ? new StatsReadout() : null;
 
   constructor(
@@ -118,6 +115,7 @@ export class StudioApp {
       say,
     });
     this.controller_ = new StudioController(client_, this.store, this.camera, say, people, this.shapes);
+    this.announcer_ = new ControlAnnouncer(this.store, this.controller_, say);
     this.files = new FileController(this.store, this.controller_, this.shapes);
     this.attention_ = new AttentionSender(client_);
     this.drafts_ = new Drafts(
@@ -163,6 +161,17 @@ export class StudioApp {
       () => this.controller_.togglePlay(),
     );
     this.routePointers();
+    this.cursor_.serve({
+      client: this.client_,
+      store: this.store,
+      view: this.view_,
+      canvas: this.canvas_,
+      camera: this.camera.hand,
+      padding: () => this.shell_.padding(),
+      choose: (contact) => this.steered(contact),
+      frame: () => this.frame,
+      say: (text) => this.shell_.live.say(text),
+    });
     followSettings(this.store, this.view_, () => this.shell_.padding());
     new GhostHand(page, this.store, this.view_, () => this.frame?.groups[this.store.state.active] ?? null);
     this.followClient();
@@ -170,12 +179,12 @@ export class StudioApp {
   }
 
   private shortcuts() {
-    const { keys_: keys, controller_: controller, store } = this;
+    const { keys_: keys, controller_: controller, store, cursor_: cursor } = this;
     return studioShortcuts(controller, this.orders, {
-      arrow: (key, long) => keys.arrow(key, long),
+      arrow: (key, long) => (cursor.takesKeys ? cursor.arrow(key, long) : keys.arrow(key, long)),
       zoom: (factor) => keys.zoom(factor),
       turn: (radians) => keys.turn(radians),
-      grabOrDrop: () => keys.grabOrDrop(store.state.active),
+      enter: (shift) => (cursor.takesKeys ? cursor.press(shift) : keys.grabOrDrop(store.state.active)),
       letGo: () => this.letGo(),
       togglePin: () => keys.togglePin(),
       removeControl: () => keys.removeControl(),
@@ -184,13 +193,11 @@ export class StudioApp {
   }
 
   /** The word for what Escape would let go of. */
-  private readonly held = (): string | null => {
-    const own = this.frame && this.controls_.newestIn(this.frame);
-    return own && kKindNames[own.control.kind].toLowerCase();
-  };
+  private readonly held = (): string | null => heldWord(this.frame && this.controls_.newestIn(this.frame)?.control);
 
   /** Escape drops what is being drawn, then puts the tool away, then ends controls. */
   private letGo(): void {
+    if (this.cursor_.giveUp()) return;
     this.orders_.abort();
     if (this.store.state.tool === 'steer') this.keys_.letGo();
     else this.orders.setTool('steer');
@@ -299,8 +306,8 @@ export class StudioApp {
     this.sceneRevision_ = scene.revision;
     try {
       this.reader_.setScene(scene);
-      const { title, name, credit, demonstration, parameters, areas } = scene;
-      this.store.set({ title, scenario: name, credit, demonstration, parameters, areas, loaded: true });
+      const { title, name, credit, demonstration, parameters, areas, radius: bodyRadius } = scene;
+      this.store.set({ title, scenario: name, credit, demonstration, parameters, areas, bodyRadius, loaded: true });
       const before = this.scene_;
       // A scene comes again when only a parameter or a count changed: nothing looks different then.
       this.view_.orders.setGroups(scene.groups);
@@ -349,20 +356,12 @@ export class StudioApp {
     this.orders.observe(frame);
     this.directors_.observe(frame.groups);
     this.drafts_.observe(frame);
-    for (const news of this.watch_.observe(frame)) this.announce(news);
+    this.announcer_.observe(frame, this.client_.clientId);
     for (const { name, formation } of this.formations_.observe(this.store.state.groups, frame.step)) {
       this.shell_.live.say(`${name}: ${formation}`);
     }
     const news = this.demonstrations_.observe(frame.demonstrating);
     if (news) this.shell_.live.say(news);
-  }
-
-  private announce(news: ControlNews): void {
-    if (news.client !== this.client_.clientId) return;
-    this.controller_.tried(kTried[news.kind]);
-    const group = this.store.state.groups[news.index];
-    const kind = kKindNames[news.kind];
-    this.shell_.live.say(`${kind} on ${group?.name ?? 'the formation'}`);
   }
 
   private showOverlay(overlay: Overlay): void {

@@ -131,7 +131,7 @@ export class StudioController implements StudioActions {
       ({ name, value }) => ({ kind: 'parameter', name, value }) as const,
     );
     if (commands.length > 0) this.client_.send({ type: 'Commands', commands });
-    this.say_(`Plans: ${kObjectives[index]!.label.toLowerCase()}`);
+    this.say_(`Spots are given for: ${kObjectives[index]!.label.toLowerCase()}`);
   }
 
   setFormation(name: string): void {
@@ -174,7 +174,7 @@ export class StudioController implements StudioActions {
   /** The character whose cost is shown. */
   chooseCharacter(id: number): void {
     this.setOverlay(OverlayKind.Cost, id);
-    this.say_(`Cost of character ${id}`);
+    this.say_(`Effort of person ${id}`);
   }
 
   openDialog(dialog: DialogName): void {

@@ -170,6 +170,7 @@ export class OrderController implements OrderActions, OrderSink, CutSink, BoxSin
   move(moves: readonly PlannedMove[], keys: Keys): void {
     const style = this.styleOf(keys);
     this.give(moves.map((move) => moveCommand(move.group, move, style, this.queues.spotOf(move.group, keys.shift))));
+    this.say_('Order given');
   }
 
   guard(centre: GroundPoint, halfSize: GroundPoint, facing: number, keys: Keys): void {

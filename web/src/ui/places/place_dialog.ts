@@ -156,7 +156,7 @@ export class PlaceDialog {
       element(
         'p',
         { class: 'secondary place-note' },
-        'The file is a scenario: “muster play” plays it on the command line, to the same end as here after Restart.',
+        'The file holds the whole place: send it to others, and open it here again.',
       ),
       element('div', { class: 'place-acts' }, ...(canShareLinks() ? [this.shareButton()] : []), download, save),
       this.saved_,

@@ -117,7 +117,7 @@ export class CameraController {
 
   toggleFollow(): void {
     this.follow_.toggle();
-    this.host_.say(this.follow_.following === 'no' ? 'The camera stays' : 'The camera follows the crowd');
+    this.host_.say(this.follow_.following === 'no' ? 'The camera stays' : 'The camera tracks the crowd');
   }
 
   /** Shows one group, its places and the paths ahead of it. */

@@ -26,7 +26,8 @@ export class GroupChips {
   private readonly focus_: ToolbarFocus;
   private last_ = { index: -1, time: -kTwice };
   private groups_: readonly number[] = [];
-  private active_ = 0;
+  /** Whose chip was brought into sight, and among which. */
+  private shown_ = '';
   private readonly watched_ = new WeakSet<HTMLElement>();
   private readonly drag_ = new ChipDrag(
     (chip) => this.groups_[[...this.root.children].indexOf(chip)],
@@ -51,24 +52,24 @@ export class GroupChips {
       </>
     ));
     this.focus_ = new ToolbarFocus(this.root, store);
-    store.watch(['groups', 'active'], ({ groups, active }) => {
+    store.watch(['groups', 'active', 'layout'], ({ groups, active, layout }) => {
       this.groups_ = groups.map(({ id }) => id);
       this.root.hidden = groups.length === 0;
       this.root.classList.toggle('many', groups.length > kNamed);
       this.focus_.refresh();
-      if (active !== this.active_) this.reveal(active);
+      const key = `${active} ${layout} ${groups.map(({ name }) => name).join()}`;
+      if (key !== this.shown_) requestAnimationFrame(() => this.reveal(active));
+      this.shown_ = key;
     });
   }
 
   /** Where chips are scrolled, the active group's is in sight. */
   private reveal(active: number): void {
-    this.active_ = active;
     const chip = this.root.children[active] as HTMLElement | undefined;
     if (!chip) return;
-    const { scrollLeft, clientWidth } = this.root;
-    const [left, right] = [chip.offsetLeft, chip.offsetLeft + chip.offsetWidth];
-    if (left < scrollLeft) this.root.scrollLeft = left - kBeside;
-    else if (right > scrollLeft + clientWidth) this.root.scrollLeft = right - clientWidth + kBeside;
+    const [room, box] = [this.root.getBoundingClientRect(), chip.getBoundingClientRect()];
+    if (box.left < room.left) this.root.scrollLeft += box.left - room.left - kBeside;
+    else if (box.right > room.right) this.root.scrollLeft += box.right - room.right + kBeside;
   }
 
   private chip(group: GroupInfo, index: number, { groups, active, selected }: StudioState): VNode {

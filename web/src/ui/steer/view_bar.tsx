@@ -17,16 +17,16 @@ export class ViewBar {
           icon="fit"
           label="Fit"
           shortcut="F"
-          tip="Fits crowd and paths; pressed again, the whole place"
+          tip="Shows the whole crowd and its paths; pressed again, the whole place"
           act={() => actions.fit()}
         />
         <ToolButton
           icon="camera"
-          label="Follow"
+          label="Track"
           shortcut="I"
           class="toggle"
           pressed={state.following}
-          tip="The camera follows the crowd"
+          tip="The camera goes with the crowd"
           act={() => actions.toggleFollow()}
         />
         <ToolButton

@@ -40,7 +40,7 @@ const kShapes = {
     '<path d="M3 5.500h14 M10 16.500V8.500 M6.600 11.600 10 8.200l3.400 3.400" stroke-linejoin="round"/><circle cx="3" cy="5.500" r="1.300" fill="currentColor"/><circle cx="17" cy="5.500" r="1.300" fill="currentColor"/>',
   cut: '<circle cx="5" cy="5.200" r="2.200"/><circle cx="5" cy="14.800" r="2.200"/><path d="M6.900 6.400 17 13.500 M6.900 13.600 17 6.500"/>',
   stop: '<rect x="5" y="5" width="10" height="10" rx="1.500" fill="currentColor"/>',
-  hold: '<path d="M7 4.500v11 M13 4.500v11" stroke-width="2.600"/>',
+  hold: '<path d="M6 11V5.2a1.2 1.2 0 0 1 2.4 0V9.500 M8.4 9.500V3.900a1.2 1.2 0 0 1 2.400 0v5.600 M10.800 9.500V4.700a1.2 1.2 0 0 1 2.400 0v5 M13.200 9.700V6.600a1.2 1.2 0 0 1 2.400 0v5.800c0 3-2 5-4.900 5-2.300 0-3.700-1-4.700-2.700l-2.300-3.500c-.6-.9.700-2 1.500-1.200L6 11" stroke-width="1.400"/>',
   resume: '<path d="M4 10h11 M11 5.500 15.500 10 11 14.500" stroke-linejoin="round"/>',
   patrol:
     '<path d="M3.500 8.500A6.700 6.700 0 0 1 15.600 6 M16.500 11.500A6.700 6.700 0 0 1 4.400 14 M15.900 2.600V6.200h-3.600 M4.100 17.400v-3.600h3.600" stroke-linejoin="round"/>',
