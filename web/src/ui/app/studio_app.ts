@@ -16,6 +16,7 @@ import { isSameWorld, type SceneFacts } from '../../protocol/scene';
 import { problem, word } from '../../protocol/problem';
 import { CameraGesture, OrbitGesture } from '../../tools/camera_gesture';
 import type { Contact, ContactOwner } from '../../tools/contact';
+import { heldWord } from '../../model/control_watch';
 import { CrowdKeys } from '../../tools/crowd_keys';
 import { Drafts } from '../../tools/drafts';
 import { FormationHitTest } from '../../tools/formation_hit_test';
@@ -196,10 +197,7 @@ export class StudioApp {
   }
 
   /** The word for what Escape would let go of. */
-  private readonly held = (): string | null => {
-    const own = this.frame && this.controls_.newestIn(this.frame);
-    return own && kKindNames[own.control.kind].toLowerCase();
-  };
+  private readonly held = (): string | null => heldWord(this.frame && this.controls_.newestIn(this.frame)?.control);
 
   /** Escape drops what is being drawn, then puts the tool away, then ends controls. */
   private letGo(): void {
