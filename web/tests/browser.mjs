@@ -8,7 +8,6 @@ import * as buildPeople from './cases/build_people.mjs';
 import * as buildCorners from './cases/build_corners.mjs';
 import * as camera from './cases/camera.mjs';
 import * as directors from './cases/directors.mjs';
-import * as darkWalls from './cases/dark_walls.mjs';
 import * as demonstration from './cases/demonstration.mjs';
 import * as feedback from './cases/feedback.mjs';
 import * as film from './cases/film_camera.mjs';
@@ -46,7 +45,6 @@ import { kPort, startStudio } from './support/server.mjs';
 import { StudioPage } from './support/studio_page.mjs';
 
 const kOpen = { scenario: 'scenarios/open.json', room: true };
-const kTwo = { touch: false, scenario: 'web/tests/scenarios/two-groups.json', room: true };
 const kTablets = ['desktop', 'landscape', 'portrait'];
 
 /** Name, test, sizes, and options of the page. `room`: zoomed out, to have room to drag; `shared`: one page serves all such
@@ -74,8 +72,7 @@ const kCases = [
   ],
   ['mouse: camera', mouseAndKeys.mouseCamera, ['desktop'], { touch: false, shared: true }],
   ['keyboard only', mouseAndKeys.keyboardOnly, ['desktop'], { touch: false, room: true, shared: true }],
-  ['phone: the active ones in sight', keys.activeInSight, ['phone'], { scenario: 'scenarios/market.json' }],
-  ['keys: orders and cuts', keys.ordersAndCuts, ['desktop'], kTwo],
+  ...keys.kKeyCases,
   ['units: split and merge', orders.splitAndMerge, kTablets, { room: true }],
   ['units: pulled apart', orders.pullApart, ['landscape'], { room: true }],
   [
@@ -183,7 +180,6 @@ const kCases = [
   ['palm and restart', findings.palmAndRestart, ['landscape'], { scenario: 'scenarios/open.json' }],
   ['pinned marks', findings.marks, ['desktop'], { touch: false, scenario: 'scenarios/open.json' }],
   ['hidden people', findings.hiddenPeople, ['desktop'], { scenario: 'scenarios/block.json' }],
-  ['dark walls', darkWalls.darkWalls, ['desktop'], { scenario: 'scenarios/block.json', colorScheme: 'dark' }],
   ['small rings', findings.smallRings, ['phone', 'narrow'], { scenario: 'scenarios/open.json' }],
   [
     'nothing overlaps',
