@@ -8,7 +8,6 @@ import * as buildPeople from './cases/build_people.mjs';
 import * as buildCorners from './cases/build_corners.mjs';
 import * as camera from './cases/camera.mjs';
 import * as directors from './cases/directors.mjs';
-import * as darkWalls from './cases/dark_walls.mjs';
 import * as demonstration from './cases/demonstration.mjs';
 import * as exports from './cases/exports.mjs';
 import * as feedback from './cases/feedback.mjs';
@@ -82,8 +81,7 @@ const kCases = [
   ],
   ['mouse: camera', mouseAndKeys.mouseCamera, ['desktop'], { touch: false, shared: true }],
   ['keyboard only', mouseAndKeys.keyboardOnly, ['desktop'], { touch: false, room: true, shared: true }],
-  ['phone: the active ones in sight', keys.activeInSight, ['phone'], { scenario: 'scenarios/market.json' }],
-  ['keys: orders and cuts', keys.ordersAndCuts, ['desktop'], kTwo],
+  ...keys.kKeyCases,
   ['units: split and merge', orders.splitAndMerge, kTablets, { room: true }],
   ['units: pulled apart', orders.pullApart, ['landscape'], { room: true }],
   [
@@ -196,7 +194,6 @@ const kCases = [
   ['palm and restart', findings.palmAndRestart, ['landscape'], { scenario: 'scenarios/open.json' }],
   ['pinned marks', findings.marks, ['desktop'], { touch: false, scenario: 'scenarios/open.json' }],
   ['hidden people', findings.hiddenPeople, ['desktop'], { scenario: 'scenarios/block.json' }],
-  ['dark walls', darkWalls.darkWalls, ['desktop'], { scenario: 'scenarios/block.json', colorScheme: 'dark' }],
   ['small rings', findings.smallRings, ['phone', 'narrow'], { scenario: 'scenarios/open.json' }],
   [
     'nothing overlaps',

@@ -33,7 +33,6 @@ import { judged } from '../orders/judged_orders';
 import { OrderController } from '../orders/order_controller';
 import { DirectorsController } from '../directors/directors_controller';
 import { AttentionSender } from './attention_sender';
-import { kKindNames } from '../../model/control_watch';
 import { ControlAnnouncer } from './control_announcer';
 import { LazyCursor } from '../steer/lazy_cursor';
 import { GhostHand } from '../steer/ghost_hand';

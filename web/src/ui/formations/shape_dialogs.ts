@@ -13,7 +13,6 @@ import { OwnShapeDialog } from './own_shape_dialog';
 import { PlacingBar } from './placing_bar';
 import { QrDialog } from './qr_dialog';
 import { TextDialog } from './text_dialog';
-import { PlacingBar } from './placing_bar';
 import { TryBar } from './try_bar';
 
 const kDialogs = { text: TextDialog, shape: OwnShapeDialog, qr: QrDialog, group: GroupDialog } as const;
