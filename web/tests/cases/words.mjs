@@ -36,7 +36,7 @@ async function completes(studio) {
   await studio.shot('words-problem');
 }
 
-export async function directByWords(studio) {
+async function directByWords(studio) {
   const { page } = studio;
   await openLine(studio);
   await completes(studio);
@@ -52,7 +52,12 @@ export async function directByWords(studio) {
   expect((await studio.frame()).groups.length === before.groups.length, 'a preview changes nothing');
   await page.keyboard.press('Enter');
   await groupsToBe(studio, before.groups.length + 1);
-  await studio.until('orders of the part', () => globalThis.__muster.frame.groups.at(-1).orders.length === 1, null, 20000);
+  await studio.until(
+    'orders of the part',
+    () => globalThis.__muster.frame.groups.at(-1).orders.length === 1,
+    null,
+    20000,
+  );
   await studio.eventually(async () => {
     const { groups } = await studio.frame();
     const part = groups.at(-1);
@@ -67,3 +72,7 @@ export async function directByWords(studio) {
   await groupsToBe(studio, before.groups.length);
   await studio.until('that it is undone', () => !globalThis.__muster.frame.groups[0].held);
 }
+
+const kMarket = { touch: false, scenario: 'scenarios/market.json', everySize: true };
+
+export const kWordsCases = [['words', directByWords, ['desktop', 'portrait', 'phone'], kMarket]];
