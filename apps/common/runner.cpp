@@ -81,7 +81,11 @@ Result<RunOutcome> runWorld(World world, const WorldDef& def, const std::vector<
         if (due && metrics.settled(world)) break;
     }
     if (Status s = recorders.finish(world); !s.ok()) return s;
-    return RunOutcome{metrics.figures(world, run.pathRatio), open && !metrics.settled(world)};
+    RunOutcome outcome{metrics.figures(world, run.pathRatio), open && !metrics.settled(world), {}};
+    const std::vector<StandingCounts> counts = countStandings(world);
+    for (std::size_t g = 0; g < counts.size(); ++g)
+        outcome.standings.push_back({groupTitle(world.group(g)), counts[g]});
+    return outcome;
 }
 
 }  // namespace muster

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/world/metrics.h"
+#include "engine/world/standings.h"
 #include "muster/status.h"
 
 namespace muster {
@@ -26,8 +27,15 @@ struct RunDef {
 
 /// How a run went.
 struct RunOutcome {
-    RunFigures figures;   ///< Its results.
-    bool cutOff = false;  ///< It ended after `longest`, with something left to do.
+    /// How the people of one group stand at the end.
+    struct GroupStandings {
+        std::string name;
+        StandingCounts counts{};
+    };
+
+    RunFigures figures;                     ///< Its results.
+    bool cutOff = false;                    ///< It ended after `longest`, with something left to do.
+    std::vector<GroupStandings> standings;  ///< Of each group.
 };
 
 /// Simulates a new world of that definition and reports the results. Commands are submitted before the first

@@ -27,12 +27,42 @@ std::string plainName(const std::string& title) {
 }
 
 bool hasBodies(const std::string& format) {
-    return format == "glb" || format == "usda" || format == "bvh" || format == "player" ||
+    return format == "glb" || format == "usda" || format == "usdc" || format == "bvh" || format == "player" ||
            isPlayerPage(format);
 }
 
 bool isFolder(const std::string& format) {
     return format == "bvh" || format == kPlayerFolder.name;
+}
+
+/// A list of whole numbers from 0 to 2^32 - 1, empty where there is none.
+Status readNumbers(const Json& value, const char* key, std::vector<std::uint32_t>& numbers) {
+    const Json* list = value.find(key);
+    if (list == nullptr) return {};
+    const auto bad = [key](const Json& found) {
+        return invalidArgument("export: found " + describeJson(found) + " for " + key +
+                               ", expected a list of whole numbers");
+    };
+    if (!list->isArray()) return bad(*list);
+    for (const Json& one : list->elements()) {
+        const double number = one.isNumber() ? one.number() : -1.0;
+        if (!(number >= 0.0 && number <= 4294967295.0) || number != std::floor(number)) return bad(one);
+        numbers.push_back(static_cast<std::uint32_t>(number));
+    }
+    return {};
+}
+
+/// Who is chosen.
+Status readPeople(const Json& value, ExportOrder& order) {
+    if (Status s = readNumbers(value, "groups", order.groups); !s.ok()) return s;
+    std::vector<std::uint32_t> people;
+    if (Status s = readNumbers(value, "people", people); !s.ok()) return s;
+    if (people.empty()) return {};
+    if (people.size() != 2)
+        return invalidArgument("export: found " + std::to_string(people.size()) +
+                               " numbers for people, expected the first and the last");
+    order.firstPerson = people[0], order.lastPerson = people[1];
+    return {};
 }
 
 /// What the text says; the take is a name.
@@ -60,6 +90,9 @@ Result<ExportOrder> parseOrder(const std::string& text) {
     }
     if (const Json* speeds = value->find("speeds"); speeds != nullptr && speeds->isBoolean())
         order.speeds = speeds->boolean();
+    if (const Json* estimate = value->find("estimate"); estimate != nullptr && estimate->isBoolean())
+        order.estimate = estimate->boolean();
+    if (Status s = readPeople(*value, order); !s.ok()) return s;
     return order;
 }
 
@@ -83,24 +116,56 @@ Result<std::string> exportFileName(const ExportOrder& order) {
     return plainName(order.title) + format->ending + (isFolder(order.format) ? ".zip" : "");
 }
 
-Status writeExport(const ExportOrder& order, const ExportTools& tools, const std::string& path,
-                   const std::function<bool(double)>& progress) {
+namespace {
+
+/// An order with what it needs.
+struct ExportWork {
+    ExportFormat format;
+    Take take;
+    ClipLibrary clips;
+    ExportDef def;
+};
+
+Result<ExportWork> prepare(const ExportOrder& order, const ExportTools& tools) {
     const auto format = exportOrPageFormat(order.format);
     if (!format.ok()) return format.status();
-    const auto take = readTake(order.take);
+    auto take = readTake(order.take);
     if (!take.ok()) return take.status();
     auto clips = tools.loadClips ? tools.loadClips(take->def.name, take->def)
                                  : Result<ClipLibrary>(ownClips());
     if (!clips.ok()) clips = ownClips();
     ExportDef def{.from = order.from, .to = order.to, .fps = order.fps};
     if (order.speeds && hasBodies(order.format)) def.speeds = take->about.speeds;
+    def.groups = order.groups;
+    def.firstPerson = order.firstPerson, def.lastPerson = order.lastPerson;
+    return ExportWork{*format, std::move(take).value(), std::move(clips).value(), std::move(def)};
+}
+
+}  // namespace
+
+Status writeExport(const ExportOrder& order, const ExportTools& tools, const std::string& path,
+                   const std::function<bool(double)>& progress) {
+    const auto work = prepare(order, tools);
+    if (!work.ok()) return work.status();
     const std::string target = isFolder(order.format) ? path + "-files" : path;
-    Status status = exportTakeOrPage(*take, *clips, *format, target, def, tools.playerFolder, progress);
+    Status status = exportTakeOrPage(work->take, work->clips, work->format, target, work->def,
+                                     tools.playerFolder, progress);
     if (!isFolder(order.format)) return status;
     if (status.ok()) status = zipFolder(target, path);
     std::error_code ignored;
     std::filesystem::remove_all(target, ignored);
     return status;
+}
+
+Result<ExportEstimate> estimateExport(const ExportOrder& order, const ExportTools& tools,
+                                      const std::string& path, const std::function<bool()>& goOn) {
+    const auto work = prepare(order, tools);
+    if (!work.ok()) return work.status();
+    const auto write = [&](const ExportDef& def, const std::string& part) {
+        return exportTakeOrPage(work->take, work->clips, work->format, part, def, tools.playerFolder,
+                                [&](double) { return goOn(); });
+    };
+    return estimateExport(work->take, order.format, work->def, path, write);
 }
 
 }  // namespace muster

@@ -1,8 +1,10 @@
 // Exports of takes on the shelf: what is asked for, and the file that is made of it.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "muster/export.h"
 #include "take_shelf.h"
@@ -17,7 +19,10 @@ struct ExportOrder {
     double from = 0.0;   ///< [s]
     double to = -1.0;    ///< [s]; negative: the end.
     double fps = 30.0;
-    bool speeds = true;  ///< With the take's speeds, where the format has bodies in motion.
+    bool speeds = true;                 ///< With the take's speeds, where the format has bodies in motion.
+    std::vector<std::uint32_t> groups;  ///< As in ExportDef.
+    std::uint32_t firstPerson = 0, lastPerson = 0xffffffffu;  ///< As in ExportDef.
+    bool estimate = false;                                    ///< Only the size is asked for.
 };
 
 /// The clips that characters of a scenario move by.
@@ -38,5 +43,9 @@ Result<std::string> exportFileName(const ExportOrder& order);
 /// readTake and exportTake.
 Status writeExport(const ExportOrder& order, const ExportTools& tools, const std::string& path,
                    const std::function<bool(double)>& progress);
+/// What writeExport() will make; `path` is used meanwhile. `goOn` returns false to end it. Fails like
+/// writeExport().
+Result<ExportEstimate> estimateExport(const ExportOrder& order, const ExportTools& tools,
+                                      const std::string& path, const std::function<bool()>& goOn);
 
 }  // namespace muster

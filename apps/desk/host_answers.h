@@ -30,9 +30,10 @@ HttpAnswer takeAnswer(const Host& host) {
 
 /// Opens a take. `name`: on the shelf; empty where it is on none.
 template <class Host>
-HttpAnswer openTakeAnswer(Host& host, std::span<const std::uint8_t> bytes, const std::string& name) {
+HttpAnswer openTakeAnswer(Host& host, std::span<const std::uint8_t> bytes, const std::string& name,
+                          std::uint32_t director = 0) {
     if constexpr (requires { host.takeName(); }) {
-        const Status status = host.openTake(bytes, name.empty() ? "take" : name, name);
+        const Status status = host.openTake(bytes, name.empty() ? "take" : name, name, director);
         return status.ok() ? sentence(200, "The take is open.") : failure(status);
     } else {
         return sentence(404, "There are no takes here.");
@@ -69,10 +70,11 @@ HttpAnswer placeAnswer(const Host& host) {
 
 /// Opens the text of a scenario file.
 template <class Host>
-HttpAnswer openPlaceAnswer(Host& host, std::span<const std::uint8_t> bytes, const std::string& name) {
+HttpAnswer openPlaceAnswer(Host& host, std::span<const std::uint8_t> bytes, const std::string& name,
+                           std::uint32_t director = 0) {
     if constexpr (requires { host.scenario(); }) {
         const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-        const Status status = host.openScenario(name, text);
+        const Status status = host.openScenario(name, text, director);
         return status.ok() ? sentence(200, "The place is open.") : failure(status);
     } else {
         return sentence(404, "There is no place to edit here.");

@@ -40,4 +40,9 @@ inline std::string queryName(std::string_view target) {
     return std::string(queryValue(target, "name"));
 }
 
+/// Who asks, by "?by=", as Welcome calls them; 0 for somebody.
+inline std::uint32_t queryDirector(std::string_view target) {
+    return static_cast<std::uint32_t>(queryCount(target, "by"));
+}
+
 }  // namespace muster

@@ -67,6 +67,13 @@ Result<std::string> ScenarioFolder::add(const std::string& path) {
     return name;
 }
 
+Result<ScenarioEntry> ScenarioFolder::addFile(const std::string& path, const std::string& prefix) {
+    const std::string name = prefix + fs::path(path).stem().string();
+    if (Status s = addAs(name, path); !s.ok()) return s;
+    return *std::find_if(entries_.begin(), entries_.end(),
+                         [&](const ScenarioEntry& entry) { return entry.name == name; });
+}
+
 Status ScenarioFolder::addAs(const std::string& name, const std::string& path) {
     const auto def = loadScenario(path);
     if (!def.ok()) return def.status();

@@ -17,6 +17,10 @@ public:
 
     /// Adds a file from any folder and returns its new or existing name. Fails like loadScenario.
     Result<std::string> add(const std::string& path);
+    /// Adds all files of another folder, named PREFIX and the name of the file.
+    void addFolder(const std::string& folder, const std::string& prefix);
+    /// Adds a file of such a folder, and tells of it. Fails like loadScenario.
+    Result<ScenarioEntry> addFile(const std::string& path, const std::string& prefix);
     /// Sorted by name; files in subfolders come last.
     const std::vector<ScenarioEntry>& entries() const { return entries_; }
     /// The default scenario: "open", otherwise the first; empty for none.
@@ -35,7 +39,6 @@ public:
 
 private:
     Status addAs(const std::string& name, const std::string& path);
-    void addFolder(const std::string& folder, const std::string& prefix);
     const std::string* pathOf(const std::string& name) const;
 
     std::vector<ScenarioEntry> entries_;

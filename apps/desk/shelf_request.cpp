@@ -48,6 +48,7 @@ bool isShelfTarget(std::string_view target) {
 }
 
 std::optional<ShelfRequest> shelfRequest(std::string_view method, std::string_view target) {
+    const auto director = queryDirector(target);
     target = withoutQuery(target);
     for (const Route& route : kRoutes) {
         if (method != route.method || !below(target, route.folder)) continue;
@@ -60,7 +61,7 @@ std::optional<ShelfRequest> shelfRequest(std::string_view method, std::string_vi
             if (name.empty()) return std::nullopt;
         }
         if (route.named == name.empty() || rest != route.rest) continue;
-        return ShelfRequest{.action = route.action, .name = std::string(name)};
+        return ShelfRequest{.action = route.action, .name = std::string(name), .director = director};
     }
     return std::nullopt;
 }

@@ -32,6 +32,7 @@ struct ShelfRequest {
     ShelfAction action = ShelfAction::List;
     std::string name;                ///< Of the take, or number of the export; empty for none.
     std::vector<std::uint8_t> body;  ///< Empty for most.
+    std::uint32_t director = 0;      ///< Who opens it, as Welcome calls them; 0 for somebody.
 };
 
 /// True where a target belongs to the shelf.

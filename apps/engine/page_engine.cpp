@@ -51,6 +51,11 @@ PageEngine::PageEngine(const PageEngineDef& def)
     session.keepAbout = [this](const std::string& take, const TakeAbout& about) {
         return shelf_.edit(take, about);
     };
+    session.takeTitles = [this] {
+        std::vector<std::string> titles;
+        for (const ShelvedTake& take : shelf_.list()) titles.push_back(take.about.title);
+        return titles;
+    };
     session_ = std::make_unique<Session>(std::move(session));
 }
 

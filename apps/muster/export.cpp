@@ -1,6 +1,10 @@
 // muster export
+#include <unistd.h>
+
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -25,6 +29,9 @@ struct ExportOptions {
     std::string format;
     std::string out;
     std::string clips;
+    std::vector<double> groups;
+    std::vector<double> people;  ///< First and last id.
+    bool estimate = false;
     double fps = std::numeric_limits<double>::quiet_NaN();  ///< Not a number where it is left out.
     ExportDef part;
 };
@@ -58,6 +65,55 @@ std::string outputPath(const ExportOptions& options, const ExportFormat& format)
     return std::filesystem::path(options.take).stem().string() + format.ending;
 }
 
+Result<std::uint32_t> wholeNumber(const char* option, double value) {
+    if (value >= 0.0 && value <= 4294967295.0 && value == std::floor(value))
+        return static_cast<std::uint32_t>(value);
+    char text[120];
+    std::snprintf(text, sizeof(text), "%s: found %.6g, expected a whole number that is not negative", option,
+                  value);
+    return invalidArgument(text);
+}
+
+/// Who is exported.
+Status choosePeople(const ExportOptions& options, ExportDef& part) {
+    for (const double group : options.groups) {
+        const auto id = wholeNumber("--groups", group);
+        if (!id.ok()) return id.status();
+        part.groups.push_back(*id);
+    }
+    if (options.people.empty()) return {};
+    const auto first = wholeNumber("--people", options.people[0]),
+               last = wholeNumber("--people", options.people[1]);
+    if (!first.ok() || !last.ok()) return first.ok() ? last.status() : first.status();
+    part.firstPerson = *first, part.lastPerson = *last;
+    return {};
+}
+
+/// Bytes with three digits, in the unit that suits.
+std::string sizeText(double bytes) {
+    const char* units[] = {"bytes", "kB", "MB", "GB"};
+    std::size_t unit = 0;
+    for (; bytes >= 999.5 && unit < 3; ++unit) bytes /= 1000.0;
+    char text[40];
+    std::snprintf(text, sizeof(text), "%.3g %s", bytes, units[unit]);
+    return text;
+}
+
+/// Says how large the export will be, and writes nothing.
+int tellSize(const ExportOptions& options, const Take& take, const ExportDef& part,
+             const WriteExportPart& write) {
+    std::error_code ignored;
+    std::string folder = (std::filesystem::temp_directory_path(ignored) / "muster-estimate-XXXXXX").string();
+    if (mkdtemp(folder.data()) == nullptr)
+        return reportFailure({StatusCode::IoError, folder + ": cannot be made"});
+    const auto known = estimateExport(take, options.format, part, folder + "/part", write);
+    std::filesystem::remove_all(folder, ignored);
+    if (!known.ok()) return reportFailure(known.status());
+    std::printf("about %s: %zu %s, %zu moments\n", sizeText(known->bytes).c_str(), known->people,
+                known->people == 1 ? "person" : "people", known->frames);
+    return kExitOk;
+}
+
 int exportFile(const ExportOptions& options) {
     const auto format = exportOrPageFormat(options.format);
     if (!format.ok()) return reportFailure(format.status());
@@ -74,11 +130,16 @@ int exportFile(const ExportOptions& options) {
     Progress progress("exporting");
     ExportDef part = options.part;
     part.fps = std::isnan(options.fps) ? usualFps(options.format) : options.fps;
+    if (Status s = choosePeople(options, part); !s.ok()) return reportFailure(s);
     const std::string player = pageFolder() + "/player";
-    const Status done = exportTakeOrPage(*take, *clips, *format, out, part, player, [&](double share) {
-        progress.show(share);
-        return true;
-    });
+    const auto write = [&](const ExportDef& def, const std::string& path) {
+        return exportTakeOrPage(*take, *clips, *format, path, def, player, [&](double share) {
+            if (!options.estimate) progress.show(share);
+            return true;
+        });
+    };
+    if (options.estimate) return tellSize(options, *take, part, write);
+    const Status done = write(part, out);
     if (!done.ok()) return reportFailure(done);
     std::printf("wrote %s\n", out.c_str());
     return kExitOk;
@@ -106,6 +167,10 @@ void addExportCommand(CommandLine& line) {
         "File to be written, for bvh and player-folder a folder; left out: here, by the take's name.");
     command.option("--from", options->part.from, "Time of the first frame [s].");
     command.option("--to", options->part.to, "Time of the last frame [s]; left out: the end of the take.");
+    command.option("--groups", options->groups,
+                   "Numbers of groups: only who is in one of them when first seen.");
+    command.option("--people", options->people, "First and last number of people.").values(2);
+    command.flag("--estimate", options->estimate, "Says how large it will be, and writes nothing.");
     command.option("--fps", options->fps,
                    "Frames a second, 1 to 240; usual are 24, 25, 30 and 60; left out: 30, for players 15.");
     command.option(
@@ -120,6 +185,8 @@ void addExportCommand(CommandLine& line) {
                    "Examples:\n"
                    "  muster export cars.take --format bvh --out cars --fps 24\n"
                    "  muster export cars.take --format jupedsim --out cars.sqlite --from 2 --to 10\n"
+                   "  muster export cars.take --format csv --groups 2 --people 1 40\n"
+                   "  muster export cars.take --format usda --estimate\n"
                    "  muster export cars.take --format player-page --out cars.html");
     command.run([options] { return exportFile(*options); });
 }

@@ -110,7 +110,8 @@ void ExportDesk::run() {
 
 void ExportDesk::make(const std::shared_ptr<Job>& job) {
     const std::string path = folder_ + "/" + job->number;
-    const Status status = write(job, path);
+    const bool made = !job->order.estimate;
+    const Status status = made ? write(job, path) : estimate(job, path);
     std::error_code ignored;
     const std::lock_guard lock(mutex_);
     if (job->cancelled) {
@@ -123,8 +124,21 @@ void ExportDesk::make(const std::shared_ptr<Job>& job) {
         return;
     }
     job->report.share = 1.0;
+    if (!made) return;
     job->report.path = path;
     job->report.bytes = fs::file_size(path, ignored);
+}
+
+Status ExportDesk::estimate(const std::shared_ptr<Job>& job, const std::string& path) {
+    const auto known = estimateExport(job->order, tools_, path, [&] {
+        const std::lock_guard lock(mutex_);
+        return !job->cancelled;
+    });
+    if (!known.ok()) return known.status();
+    const std::lock_guard lock(mutex_);
+    job->report.bytes = static_cast<std::uint64_t>(known->bytes);
+    job->report.people = known->people;
+    return {};
 }
 
 Status ExportDesk::write(const std::shared_ptr<Job>& job, const std::string& path) {

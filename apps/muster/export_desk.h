@@ -18,11 +18,12 @@ enum class ExportState { Waiting, Running, Done, Failed };
 /// How far an export is.
 struct ExportReport {
     ExportState state = ExportState::Waiting;
-    double share = 0.0;    ///< Done, 0 to 1.
-    std::string problem;   ///< Why it failed.
-    std::string fileName;  ///< For saving.
-    std::string path;      ///< Of the finished file.
-    std::uint64_t bytes = 0;
+    double share = 0.0;       ///< Done, 0 to 1.
+    std::string problem;      ///< Why it failed.
+    std::string fileName;     ///< For saving.
+    std::string path;         ///< Of the finished file.
+    std::uint64_t bytes = 0;  ///< Of the file, or what an estimate says.
+    std::size_t people = 0;   ///< What an estimate says.
 };
 
 /// Makes exports in a folder of its own, which is removed at the end. Any thread may call.
@@ -53,6 +54,7 @@ private:
     void run();
     void make(const std::shared_ptr<Job>& job);
     Status write(const std::shared_ptr<Job>& job, const std::string& path);
+    Status estimate(const std::shared_ptr<Job>& job, const std::string& path);
     std::shared_ptr<Job> find(const std::string& number) const;
     void forgetOldest();
 

@@ -14,6 +14,7 @@
 #include "invitation.h"
 #include "motion_bodies.h"
 #include "report.h"
+#include "request_target.h"
 #include "studio/session/inbox/protocol.h"
 
 namespace muster {
@@ -97,18 +98,20 @@ ServerEvents eventsTo(Mailbox<HostEvent>& mailbox, std::atomic<bool>& interrupte
     };
     events.closed = [&](ConnectionId id) { mailbox.post(Closed{id}); };
     events.takeRequested = [&](HttpReply reply) { mailbox.post(TakeRequested{std::move(reply)}); };
-    events.takeUploaded = [&](std::vector<std::uint8_t> bytes, const HttpReply& reply) {
+    events.takeUploaded = [&](std::vector<std::uint8_t> bytes, const std::string& target,
+                              const HttpReply& reply) {
         const std::size_t size = bytes.size();
-        if (!mailbox.post(TakeUploaded{std::move(bytes), {}, reply}, size))
+        if (!mailbox.post(TakeUploaded{std::move(bytes), {}, queryDirector(target), reply}, size))
             reply(sentence(503, "The simulation is busy."));
     };
     events.handoverRequested = [&](std::string target, HttpReply reply) {
         mailbox.post(HandoverRequested{std::move(target), std::move(reply)});
     };
     events.placeRequested = [&](HttpReply reply) { mailbox.post(PlaceRequested{std::move(reply)}); };
-    events.placeUploaded = [&](std::vector<std::uint8_t> bytes, std::string name, const HttpReply& reply) {
+    events.placeUploaded = [&](std::vector<std::uint8_t> bytes, const std::string& target,
+                               const HttpReply& reply) {
         const std::size_t size = bytes.size();
-        if (!mailbox.post(PlaceUploaded{std::move(bytes), std::move(name), reply}, size))
+        if (!mailbox.post(PlaceUploaded{std::move(bytes), queryName(target), queryDirector(target), reply}, size))
             reply(sentence(503, "The simulation is busy."));
     };
     events.shelfRequested = [](const ShelfRequest&, const HttpReply& reply) {
@@ -172,7 +175,7 @@ void announce(const ServeOptions& options, StudioServer& server, const std::stri
     const int port = server.port();
     Invitation invitation;
     if (options.lan) invitation = makeInvitation(networkAddresses(), port, token);
-    server.addFile("/invitation.json", {"application/json", "no-store", invitationJson(invitation)});
+    server.addFile("/invitation.json", {"application/json", "no-store", invitationJson(invitation, options.site)});
     const std::string address = "http://127.0.0.1:" + std::to_string(port) + "/";
     printAddress(options, address, port, options.lan ? &invitation : nullptr, token);
 }

@@ -36,7 +36,8 @@ struct TakeRequested {
 };
 struct TakeUploaded {
     std::vector<std::uint8_t> bytes;
-    std::string name;  // On the shelf; empty where it comes from elsewhere.
+    std::string name;            // On the shelf; empty where it comes from elsewhere.
+    std::uint32_t director = 0;  // Who opens it; 0 for somebody.
     HttpReply reply;
 };
 struct TakeEdited {
@@ -53,6 +54,7 @@ struct PlaceRequested {
 struct PlaceUploaded {
     std::vector<std::uint8_t> bytes;
     std::string name;
+    std::uint32_t director = 0;
     HttpReply reply;
 };
 struct Interrupted {};
@@ -98,6 +100,7 @@ struct ServeOptions {
     bool lan = false;                     ///< Others in the network may come, by a link with a token.
     bool openBrowser = false;             ///< Opens the page in the desktop's browser.
     bool json = false;                    ///< Prints address and port as one JSON value.
+    std::string site;  ///< Address of a site for links that need no studio; empty for none.
 };
 
 /// The definition of a server of that page, without its events. Fails where there is no page.

@@ -58,10 +58,14 @@ public:
         clients_.erase(found);
     }
     void operator()(TakeRequested& event) { event.reply(takeAnswer(host_)); }
-    void operator()(TakeUploaded& event) { event.reply(openTakeAnswer(host_, event.bytes, event.name)); }
+    void operator()(TakeUploaded& event) {
+        event.reply(openTakeAnswer(host_, event.bytes, event.name, event.director));
+    }
     void operator()(HandoverRequested& event) { event.reply(handoverAnswer(host_, event.target)); }
     void operator()(PlaceRequested& event) { event.reply(placeAnswer(host_)); }
-    void operator()(PlaceUploaded& event) { event.reply(openPlaceAnswer(host_, event.bytes, event.name)); }
+    void operator()(PlaceUploaded& event) {
+        event.reply(openPlaceAnswer(host_, event.bytes, event.name, event.director));
+    }
     void operator()(TakeEdited& event) {
         if constexpr (requires { host_.takeName(); }) host_.takeEdited(event.name, event.about);
     }

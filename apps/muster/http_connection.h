@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "invitation.h"
 #include "request_target.h"
 #include "server_policy.h"
 #include "socket_connection.h"
@@ -25,6 +26,7 @@ inline constexpr const char* kSocketPath = "/ws";
 inline constexpr const char* kTakePath = "/take";
 inline constexpr const char* kPlacePath = "/scenario";
 inline constexpr const char* kHandoverPath = "/handover";
+inline constexpr const char* kCodePath = "/code";
 inline constexpr const char* kHealthPath = "/health";
 
 /// A TCP connection that speaks HTTP. It becomes a SocketConnection when a request upgrades it.
@@ -141,21 +143,20 @@ private:
     void post() {
         const std::string target = toString(parser_->get().target());
         const bool place = withoutQuery(target) == kPlacePath;
-        if (!place && target != kTakePath) return refuse(404, "Nothing can be sent here.");
+        if (!place && withoutQuery(target) != kTakePath) return refuse(404, "Nothing can be sent here.");
         const std::string what = place ? "scenario" : "take";
         if (!originKnown()) return refuse(403, "Unknown origin.");
         const auto length = parser_->content_length();
         if (!length) return refuse(411, "The length of the " + what + " is expected.");
         if (*length > server_.def.limits.takeBytes) return refuse(413, "The " + what + " is too large.");
         stream_.expires_after(std::chrono::seconds(server_.def.limits.bodySeconds));
-        auto read = [self = shared_from_this(), place, what, name = queryName(target)](Error error,
-                                                                                       std::size_t) {
+        auto read = [self = shared_from_this(), place, what, target](Error error, std::size_t) {
             if (error == http::error::body_limit) return self->refuse(413, "The " + what + " is too large.");
             if (error) return;
             auto body = std::move(self->parser_->get().body());
             const ServerEvents& events = self->server_.def.events;
-            if (place) return events.placeUploaded(std::move(body), name, self->reply());
-            events.takeUploaded(std::move(body), self->reply());
+            if (place) return events.placeUploaded(std::move(body), target, self->reply());
+            events.takeUploaded(std::move(body), target, self->reply());
         };
         http::async_read(stream_, buffer_, *parser_, std::move(read));
     }
@@ -169,6 +170,9 @@ private:
                                : refuse(403, "Unknown origin.");
         if (target == kPlacePath)
             return takeKnown() ? server_.def.events.placeRequested(reply()) : refuse(403, "Unknown origin.");
+        if (withoutQuery(target) == kCodePath)
+            return takeKnown() ? respond(codeAnswer(queryValue(target, "text")), "no-store")
+                               : refuse(403, "Unknown origin.");
         HttpAnswer answer;
         if (target == kHealthPath) {
             answer.type = "application/json";

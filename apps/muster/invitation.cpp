@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstdio>
 #include <qrcodegen/qrcodegen.hpp>
 #include <random>
 #include <utility>
 
+#include "http_answers.h"
 #include "json/json.h"
 
 namespace muster {
@@ -29,6 +31,34 @@ int rank(const std::string& address) {
 const char* halves(bool upper, bool lower) {
     if (upper) return lower ? "█" : "▀";
     return lower ? "▄" : " ";
+}
+
+/// Rows of a QR code, top down.
+std::vector<std::string> rowsOf(const qrcodegen::QrCode& code) {
+    std::vector<std::string> rows;
+    for (int y = 0; y < code.getSize(); ++y) {
+        std::string row;
+        for (int x = 0; x < code.getSize(); ++x) row += code.getModule(x, y) ? '1' : '0';
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+/// Bytes of a percent-encoded text; what is no such code stays.
+std::string decoded(std::string_view text) {
+    std::string plain;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        unsigned value = 0;
+        const char* digits = text.data() + i + 1;
+        if (text[i] == '%' && i + 2 < text.size() &&
+            std::from_chars(digits, digits + 2, value, 16).ptr == digits + 2) {
+            plain += static_cast<char>(value);
+            i += 2;
+        } else {
+            plain += text[i];
+        }
+    }
+    return plain;
 }
 
 }  // namespace
@@ -70,12 +100,7 @@ Invitation makeInvitation(const std::vector<std::string>& addresses, int port, c
         invitation.links.push_back("http://" + address + ":" + std::to_string(port) + "/?token=" + token);
     if (invitation.links.empty()) return invitation;
     using qrcodegen::QrCode;
-    const QrCode code = QrCode::encodeText(invitation.links.front().c_str(), QrCode::Ecc::MEDIUM);
-    for (int y = 0; y < code.getSize(); ++y) {
-        std::string row;
-        for (int x = 0; x < code.getSize(); ++x) row += code.getModule(x, y) ? '1' : '0';
-        invitation.code.push_back(std::move(row));
-    }
+    invitation.code = rowsOf(QrCode::encodeText(invitation.links.front().c_str(), QrCode::Ecc::MEDIUM));
     return invitation;
 }
 
@@ -93,10 +118,21 @@ std::string codeText(const std::vector<std::string>& code) {
     return text;
 }
 
-std::string invitationJson(const Invitation& invitation) {
-    return compactJson(
-               {{"links", Json::arrayOf(invitation.links)}, {"code", Json::arrayOf(invitation.code)}}) +
+std::string invitationJson(const Invitation& invitation, const std::string& site) {
+    return compactJson({{"links", Json::arrayOf(invitation.links)},
+                        {"code", Json::arrayOf(invitation.code)},
+                        {"site", site}}) +
            "\n";
+}
+
+HttpAnswer codeAnswer(std::string_view encoded) {
+    using qrcodegen::QrCode;
+    try {
+        const QrCode code = QrCode::encodeText(decoded(encoded).c_str(), QrCode::Ecc::LOW);
+        return jsonAnswer({{"code", Json::arrayOf(rowsOf(code))}});
+    } catch (const qrcodegen::data_too_long&) {
+        return sentence(413, "The link is too long for a QR code.");
+    }
 }
 
 }  // namespace muster

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "http_answer.h"
 
 namespace muster {
 
@@ -24,6 +27,9 @@ Invitation makeInvitation(const std::vector<std::string>& addresses, int port, c
 /// A QR code, with the quiet zone that readers need, as lines of text for a terminal with black on white.
 std::string codeText(const std::vector<std::string>& code);
 /// The invitation as the page reads it: {"links": [...], "code": [...]}.
-std::string invitationJson(const Invitation& invitation);
+/// `site`: the address of a site for links that need no studio; empty for none.
+std::string invitationJson(const Invitation& invitation, const std::string& site = {});
+/// The QR code of a percent-encoded text as {"code": [...]}, or why there is none.
+HttpAnswer codeAnswer(std::string_view encoded);
 
 }  // namespace muster

@@ -1,7 +1,9 @@
 // muster play
+#include <cstdio>
 #include <memory>
 #include <string>
 
+#include "base/generated/enumeration_words.h"
 #include "commands.h"
 #include "muster/scenario.h"
 #include "options.h"
@@ -35,6 +37,17 @@ void printCutOff(const RunOutcome& outcome, const WorldDef& def, const std::stri
                  path.c_str(), f.steps * def.parameters.stepTime, who.c_str());
 }
 
+/// By groups, how many stand as each word tells.
+Json standingsJson(const RunOutcome& outcome) {
+    Json groups = Json::array();
+    for (const RunOutcome::GroupStandings& group : outcome.standings) {
+        Json one = {{"group", group.name}};
+        for (std::size_t k = 0; k < group.counts.size(); ++k) one[kStandingWords[k]] = group.counts[k];
+        groups.push(one);
+    }
+    return groups;
+}
+
 int play(const PlayOptions& options) {
     const RunDef& run = options.run;
     auto def = loadScenario(options.scenario);
@@ -55,9 +68,12 @@ int play(const PlayOptions& options) {
     if (options.json) {
         Json value = figuresJson(outcome->figures);
         value["cut_off"] = outcome->cutOff;
+        value["standings"] = standingsJson(*outcome);
         printJsonValue(value);
     } else {
         printFigures(outcome->figures, options.timings);
+        for (const RunOutcome::GroupStandings& group : outcome->standings)
+            std::printf("%-26s %s\n", group.name.c_str(), standingSentence(group.counts).c_str());
     }
     return kExitOk;
 }

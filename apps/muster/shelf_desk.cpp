@@ -62,7 +62,7 @@ void ShelfDesk::run() {
 void ShelfDesk::open(const ShelfRequest& request, const HttpReply& reply) {
     const auto text = shelf_.read(request.name);
     if (!text.ok()) return reply(failure(text.status()));
-    open_({text->begin(), text->end()}, request.name, reply);
+    open_({text->begin(), text->end()}, request, reply);
 }
 
 HttpAnswer ShelfDesk::answer(const ShelfRequest& request) {
@@ -91,11 +91,12 @@ HttpAnswer ShelfDesk::showExport(const ShelfRequest& request, bool asFile) {
     const auto report = exports_.report(request.name);
     if (!report.ok()) return failure(report.status());
     if (asFile) {
-        if (report->state != ExportState::Done) return sentence(404, "The export is not done.");
+        if (report->path.empty()) return sentence(404, "The export is not done.");
         return fileAnswer(report->path, "application/octet-stream", report->fileName);
     }
     Json value = {{"state", nameOf(report->state)}, {"share", report->share}, {"file", report->fileName}};
     value["bytes"] = report->bytes;
+    value["people"] = report->people;
     if (!report->problem.empty()) value["problem"] = report->problem;
     return jsonAnswer(value);
 }

@@ -19,7 +19,8 @@ namespace muster {
 class ShelfDesk {
 public:
     /// Opens a take's bytes in the session, by its name, and answers the request.
-    using OpenTake = std::function<void(std::vector<std::uint8_t> bytes, std::string name, HttpReply reply)>;
+    using OpenTake = std::function<void(std::vector<std::uint8_t> bytes, const ShelfRequest&,
+                                        HttpReply reply)>;
     using TakeEdited = ShelfAnswers::TakeEdited;
 
     /// All must outlive this.

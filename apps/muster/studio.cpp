@@ -20,6 +20,9 @@ void addStudioCommand(CommandLine& line) {
                 "Folder of the engine for browsers, with which pages go on where the server is lost.")
         .existingFolder();
     command.option("--takes", options->takesFolder, "Folder in which recordings are kept.");
+    command.option("--places", options->placesFolder, "Folder in which places are kept by their names.");
+    command.option("--site", options->site,
+                   "Address of your site (muster site): links to places and takes then open there, too.");
     command.option("--threads", options->threads, "Threads of the simulation; 0 takes what the machine has.")
         .range(0, 256);
     command.flag(
@@ -31,7 +34,8 @@ void addStudioCommand(CommandLine& line) {
     command.footer(
         "Only this machine can connect, unless you say --lan. Ctrl+C ends it; twice, at once. Recordings are "
         "kept in ./takes\n"
-        "unless --takes names another folder.\n"
+        "and places in ./places, unless --takes and --places name other folders. Without SCENARIO it shows\n"
+        "what was shown last, once a place is kept.\n"
         "Examples:\n"
         "  muster studio\n"
         "  muster studio woodland --port 9000 --open\n"

@@ -47,10 +47,10 @@ struct ServerEvents {
     std::function<void(ConnectionId, std::string code, std::string text)> refused;
     std::function<void(ConnectionId)> closed;
     std::function<void(HttpReply)> takeRequested;
-    std::function<void(std::vector<std::uint8_t>, HttpReply)> takeUploaded;
+    std::function<void(std::vector<std::uint8_t>, std::string target, HttpReply)> takeUploaded;
     std::function<void(std::string target, HttpReply)> handoverRequested;
     std::function<void(HttpReply)> placeRequested;
-    std::function<void(std::vector<std::uint8_t>, std::string name, HttpReply)> placeUploaded;
+    std::function<void(std::vector<std::uint8_t>, std::string target, HttpReply)> placeUploaded;
     /// Called for requests to the shelf of takes and to exports.
     std::function<void(ShelfRequest, HttpReply)> shelfRequested;
     std::function<void()> interrupted;  ///< Called for each Ctrl+C or request to end.

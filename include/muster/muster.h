@@ -387,6 +387,23 @@ enum MusterStanceValue {
     MUSTER_STANCE_YIELD = 2    ///< It makes room for others.
 };
 
+/// Whether a character stands in its place, and if not, what keeps it from there. Of a place it is said where
+/// the formation wants it: people stand beside it where they cannot stand there.
+typedef uint8_t MusterStanding;
+/// Values of MusterStanding.
+enum MusterStandingValue {
+    MUSTER_STANDING_IN_PLACE = 0,    ///< It stands within 0.5 m of where its formation wants it.
+    MUSTER_STANDING_ON_THE_WAY = 1,  ///< It is on its way, or its place is.
+    MUSTER_STANDING_HELD = 2,        ///< Its group was told to hold, or it has not set out yet.
+    MUSTER_STANDING_STUCK = 3,       ///< It has not got on for 5 s.
+    MUSTER_STANDING_OUTSIDE = 4,     ///< Its place lies outside the ground.
+    MUSTER_STANDING_OBSTACLE = 5,    ///< Its place lies in an obstacle.
+    MUSTER_STANDING_NARROW = 6,      ///< Its place is too narrow for its body.
+    MUSTER_STANDING_NO_WAY = 7,      ///< No way leads to its place.
+    MUSTER_STANDING_CROWDED = 8,     ///< Others have taken the room at its place.
+    MUSTER_STANDING_COUNT = 9        ///< Their number.
+};
+
 /// Kinds of events. Those from Arrived on tell how orders get on and how groups change; each from Arrived to
 /// Partial comes once per order and version of the ground. An order is a pose, a formation, a count or a
 /// drawn way; the ground changes with every command that changes obstacles or patches.
@@ -1485,6 +1502,10 @@ MUSTER_API MusterStatus muster_world_characters(MusterWorldId world, MusterChara
 /// call. Fails with InvalidArgument for other indices.
 MUSTER_API MusterStatus muster_world_way_ahead(MusterWorldId world, int32_t character,
                                                const MusterVec2** outPoints, int32_t* outCount);
+/// The Standing of each character: whether it stands in its place, and if not, what keeps it from there.
+/// Valid also until the next call.
+MUSTER_API MusterStatus muster_world_standings(MusterWorldId world, const uint8_t** outStandings,
+                                               int32_t* outCount);
 
 /// Current number of groups.
 MUSTER_API MusterStatus muster_world_group_count(MusterWorldId world, int32_t* outCount);

@@ -77,6 +77,12 @@ struct SessionDef {
     std::function<Result<std::unique_ptr<TakeSink>>(const std::string& name)> openSink;
     /// Keeps what is said about a take with its file on the shelf, by its name. Null where there is no shelf.
     std::function<Status(const std::string& name, const TakeAbout& about)> keepAbout;
+    /// Titles of all takes on the shelf. Null where there is no shelf.
+    std::function<std::vector<std::string>()> takeTitles;
+    /// Keeps a place by its name for good, where clients can load it from then on. Null: there is no room.
+    std::function<Result<ScenarioEntry>(const WorldDef& place)> keepScenario;
+    /// Called with the name of the scenario that is shown from now on. Null: nobody wants to know.
+    std::function<void(const std::string& name)> opened;
     std::int32_t threads = 1;  ///< Threads of the world, as for ThreadPool.
     SessionLimits limits;      ///< Limits of requests by clients.
 };
@@ -97,8 +103,8 @@ public:
     /// Fails, changing nothing, as World::create does.
     Status load(const std::string& name, const WorldDef& def);
     /// The same from the text of a scenario file that lies nowhere. Fails, changing nothing, as parseScenario
-    /// and World::create do.
-    Status openScenario(const std::string& name, std::string_view text);
+    /// and World::create do. `director`: the client that opens it, as Welcome calls it; 0 for somebody.
+    Status openScenario(const std::string& name, std::string_view text, std::uint32_t director = 0);
     /// The place as a scenario file: what the world began from, with all edits since. Restart begins with it,
     /// and a world made from it has the same hashes. Fails with NotFound before the first load.
     Result<std::string> scenario() const;
@@ -106,8 +112,9 @@ public:
     std::string scenarioName() const;
     /// Begins the replay of a take's bytes. Fails, changing nothing, as parseTake does, or where the take is
     /// too large or holds no step. `fileName` is its name on the shelf, empty where it lies elsewhere.
+    /// `director` as above.
     Status openTake(std::span<const std::uint8_t> bytes, const std::string& sourceName,
-                    const std::string& fileName = {});
+                    const std::string& fileName = {}, std::uint32_t director = 0);
     /// What is said about the take on the shelf has changed; the open one follows where it is this.
     void takeEdited(const std::string& fileName, const TakeAbout& about);
     /// The name on the shelf of the take that is open, and of the one that is being recorded; empty for none.

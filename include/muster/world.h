@@ -55,6 +55,8 @@ public:
     /// The way of a character, an index into characters(), to its place: corners round what stands still,
     /// both ends included [m]. Empty for the unmatched and where there is none.
     std::vector<Vec2> wayAhead(std::size_t character) const;
+    /// Of each character whether it stands in its place, and if not, what keeps it from there.
+    std::vector<Standing> standings() const;
     std::size_t groupCount() const;              ///< Current number of groups.
     GroupView group(std::size_t index) const;    ///< Groups are in ascending order of ids.
     GroupDef groupDef(std::size_t index) const;  ///< Current name, count and formation.

@@ -162,10 +162,13 @@ TEST_CASE("play reports every result by name, records a take that replays, and w
     CHECK(figures["events"]["arrived"] == 1);
     CHECK(figures["events"]["stuck"] == 0);
     CHECK(figures["events"]["noPath"] == 0);
+    CHECK(figures["standings"][0]["inPlace"] == 9);
+    CHECK(figures["standings"][0]["outside"] == 0);
     // The same run on two threads and as text gives the same hash.
     const Outcome text = runProgram(common + " --threads 2");
     CHECK(text.out.find(figures["hash"].get<std::string>()) != std::string::npos);
     CHECK(text.out.find("arrived95_s") != std::string::npos);
+    CHECK(text.out.find("everybody is in place.") != std::string::npos);
 
     const Json replayed = json(runProgram("replay '" + path("a.take") + "' --json"));
     CHECK(replayed["events"] == 1);

@@ -152,6 +152,15 @@ def test_a_forecast_is_that_of_the_straight_way() -> None:
         world.forecast(5, muster.Order.face(0.0))
 
 
+def test_standings_tell_who_is_in_place_and_what_bars_the_others() -> None:
+    world = muster.World(walkers(4))
+    world.step(90)
+    assert world.standings == [muster.Standing.IN_PLACE] * 4
+    world.submit(muster.GiveOrder(1, order=muster.Order.move((12.0, 0.0))))
+    world.step(30)
+    assert world.standings == [muster.Standing.ON_THE_WAY] * 4
+
+
 def test_the_way_ahead_goes_round_a_wall() -> None:
     definition = muster.WorldDef(box=((-20.0, -20.0), (20.0, 20.0)), groups=[muster.GroupDef(count=1, starts=[(-5.0, 0.0)], position=(5.0, 0.0))])
     definition.obstacles = [muster.ObstacleDef(polygon=[(-0.5, -6.0), (0.5, -6.0), (0.5, 6.0), (-0.5, 6.0)])]

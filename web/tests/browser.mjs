@@ -8,13 +8,17 @@ import * as buildPeople from './cases/build_people.mjs';
 import * as buildCorners from './cases/build_corners.mjs';
 import * as camera from './cases/camera.mjs';
 import * as directors from './cases/directors.mjs';
+import * as darkWalls from './cases/dark_walls.mjs';
 import * as demonstration from './cases/demonstration.mjs';
+import * as exports from './cases/exports.mjs';
 import * as feedback from './cases/feedback.mjs';
 import * as film from './cases/film_camera.mjs';
 import * as findings from './cases/findings.mjs';
 import * as forms from './cases/forms.mjs';
 import * as groupAppearance from './cases/group_appearance.mjs';
 import * as groupColour from './cases/group_colour.mjs';
+import * as keys from './cases/keys.mjs';
+import * as letters from './cases/letters.mjs';
 import * as limits from './cases/limits.mjs';
 import * as look from './cases/look.mjs';
 import * as measures from './cases/measures.mjs';
@@ -23,6 +27,7 @@ import * as objectives from './cases/objectives.mjs';
 import * as orders from './cases/orders.mjs';
 import * as overlays from './cases/overlays.mjs';
 import * as placeFiles from './cases/place_files.mjs';
+import * as placeShare from './cases/place_share.mjs';
 import * as people from './cases/people.mjs';
 import * as queue from './cases/queue.mjs';
 import * as reach from './cases/reach.mjs';
@@ -31,6 +36,7 @@ import * as scenarios from './cases/scenarios.mjs';
 import * as shapes from './cases/shapes.mjs';
 import * as session from './cases/session.mjs';
 import * as schemes from './cases/schemes.mjs';
+import * as standing from './cases/standing.mjs';
 import * as study from './cases/study.mjs';
 import * as oldTakes from './cases/old_take.mjs';
 import * as paths from './cases/path.mjs';
@@ -45,6 +51,8 @@ import { kPort, startStudio } from './support/server.mjs';
 import { StudioPage } from './support/studio_page.mjs';
 
 const kOpen = { scenario: 'scenarios/open.json', room: true };
+const kGroups = { scenario: 'web/tests/scenarios/two-groups.json' };
+const kTwo = { touch: false, scenario: 'web/tests/scenarios/two-groups.json', room: true };
 const kTablets = ['desktop', 'landscape', 'portrait'];
 
 /** Name, test, sizes, and options of the page. `room`: zoomed out, to have room to drag; `shared`: one page serves all such
@@ -72,6 +80,8 @@ const kCases = [
   ],
   ['mouse: camera', mouseAndKeys.mouseCamera, ['desktop'], { touch: false, shared: true }],
   ['keyboard only', mouseAndKeys.keyboardOnly, ['desktop'], { touch: false, room: true, shared: true }],
+  ['phone: the active ones in sight', keys.activeInSight, ['phone'], { scenario: 'scenarios/market.json' }],
+  ['keys: orders and cuts', keys.ordersAndCuts, ['desktop'], kTwo],
   ['units: split and merge', orders.splitAndMerge, kTablets, { room: true }],
   ['units: pulled apart', orders.pullApart, ['landscape'], { room: true }],
   [
@@ -97,6 +107,9 @@ const kCases = [
     ['landscape', 'portrait', 'phone'],
     { scenario: 'scenarios/block.json', room: true },
   ],
+  ['standing: beyond the edge', standing.beyondTheEdge, ['wide'], { ...kOpen, touch: false }],
+  ['standing: a word in a wall', standing.wordInAWall, ['desktop'], { scenario: 'scenarios/block.json' }],
+  ['standing: ten drags', standing.tenDrags, ['desktop'], kOpen],
   ['orders: conduct', orders.conduct, [...kTablets, 'phone'], { room: true }],
   ...undo.kUndoCases,
   ...words.kWordsCases,
@@ -148,6 +161,7 @@ const kCases = [
   ['drawn formation', shapes.drawnFormation, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
   ['formation of one’s own', shapes.ownShape, ['desktop', 'portrait', 'phone'], { scenario: 'scenarios/open.json' }],
   ['written formation', shapes.writtenFormation, ['desktop'], { scenario: 'scenarios/open.json', room: true }],
+  ...letters.kLetterCases,
   ['forms: look by mouse', forms.lookByMouse, ['desktop'], { touch: false, scenario: 'scenarios/block.json' }],
   ['forms: look by touch', forms.lookByTouch, ['landscape', 'portrait', 'phone'], { scenario: 'scenarios/block.json' }],
   [
@@ -180,6 +194,7 @@ const kCases = [
   ['palm and restart', findings.palmAndRestart, ['landscape'], { scenario: 'scenarios/open.json' }],
   ['pinned marks', findings.marks, ['desktop'], { touch: false, scenario: 'scenarios/open.json' }],
   ['hidden people', findings.hiddenPeople, ['desktop'], { scenario: 'scenarios/block.json' }],
+  ['dark walls', darkWalls.darkWalls, ['desktop'], { scenario: 'scenarios/block.json', colorScheme: 'dark' }],
   ['small rings', findings.smallRings, ['phone', 'narrow'], { scenario: 'scenarios/open.json' }],
   [
     'nothing overlaps',
@@ -227,6 +242,13 @@ const kCases = [
     { scenario: 'web/tests/scenarios/two-groups.json', room: true },
   ],
   [
+    'directors: clock',
+    directors.sharedClock,
+    ['desktop', 'phone'],
+    { scenario: 'web/tests/scenarios/two-groups.json' },
+  ],
+  ['directors: place', directors.sharedPlace, ['desktop', 'phone'], { scenario: 'scenarios/market.json' }],
+  [
     'directors: invitation',
     directors.invitation,
     ['desktop', 'portrait', 'phone'],
@@ -252,6 +274,10 @@ const kCases = [
   ['paths: one person', paths.single, ['landscape', 'phone'], { scenario: 'scenarios/open.json' }],
   ['takes: of another version', oldTakes.oldTake, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
   ['takes: exports', takes.exports, ['desktop'], { scenario: 'scenarios/open.json', release: true }],
+  ['exports: of a group and a part', exports.chosenPart, ['desktop', 'phone'], kGroups],
+  ['exports: of nobody', exports.nobodyChosen, ['desktop'], kGroups],
+  ['exports: sky and horizon', exports.skyAndHorizon, ['desktop'], kGroups],
+  ['exports: people without background', exports.clearPictures, ['desktop', 'portrait'], kGroups],
   ['takes: cut off', takes.cutOff, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
   [
     'place files: save and open',
@@ -285,10 +311,23 @@ const kCases = [
     ['desktop', 'phone'],
     { touch: false, scenario: 'scenarios/open.json' },
   ],
+  [
+    'place files: kept by name',
+    placeShare.keptByName,
+    ['desktop', 'phone'],
+    { touch: false, scenario: 'scenarios/open.json' },
+  ],
+  [
+    'place files: shared by network',
+    placeShare.sharedByNetwork,
+    ['desktop', 'phone'],
+    { scenario: 'scenarios/open.json', options: ['--lan', '--site', 'https://example.org/crowd/'] },
+  ],
   ['a page that hangs', session.stalledPage, ['desktop'], {}],
   ['first visit', look.firstVisit, [...kTablets, 'phone', 'narrow'], { hint: true, everySize: true }],
   ['layout', look.layout, [...kTablets, 'phone', 'narrow', 'zoomed'], { everySize: true }],
   ['access', look.accessible, [...kTablets, 'phone', 'zoomed'], { everySize: true }],
+  ...look.kAccessCases,
   ['lost and found', session.lostAndFound, ['landscape'], {}],
   ['control schemes by mouse', schemes.byMouse, ['desktop'], { touch: false, room: true }],
   ['control schemes by touch', schemes.byTouch, ['landscape', 'phone'], { room: true }],

@@ -17,6 +17,7 @@ namespace muster::c_api {
 /// What is lent until the next call for the same thing.
 enum class Lent : std::uint8_t {
     WayAhead,
+    Standings,
     GroupDef,
     Controls,
     Orders,

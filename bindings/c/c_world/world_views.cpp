@@ -86,6 +86,20 @@ MusterStatus muster_world_way_ahead(MusterWorldId world, int32_t character, cons
     });
 }
 
+MusterStatus muster_world_standings(MusterWorldId world, const uint8_t** outStandings, int32_t* outCount) {
+    return readWorld(world, [&](WorldHandle& handle) -> Status {
+        if (const Status given = needPointers({"outStandings", "outCount"}, outStandings, outCount);
+            !given.ok())
+            return given;
+        std::vector<std::uint8_t> standings;
+        for (const Standing one : handle.world().standings())
+            standings.push_back(static_cast<std::uint8_t>(one));
+        *outStandings = copyOf<std::uint8_t>(standings, handle.lend(Lent::Standings));
+        *outCount = static_cast<std::int32_t>(standings.size());
+        return {};
+    });
+}
+
 MusterStatus muster_world_events(MusterWorldId world, const MusterEvent** outEvents, int32_t* outCount) {
     return readWorld(world, [&](WorldHandle& handle) {
         return giveSpan(handle.world().events(), outEvents, "outEvents", outCount);

@@ -124,6 +124,7 @@ __all__ = [
     "SplitGroup",
     "Spread",
     "Stance",
+    "Standing",
     "TakeAbout",
     "TakeEvent",
     "ThingKind",
@@ -472,6 +473,32 @@ class Stance(str, Enum):
     NORMAL = "normal"
     HOLD = "hold"
     YIELD = "yield"
+
+
+class Standing(str, Enum):
+    """Whether a character stands in its place, and if not, what keeps it from there. Of a place it is said where the
+        formation wants it: people stand beside it where they cannot stand there.
+
+    IN_PLACE: It stands within 0.5 m of where its formation wants it.
+    ON_THE_WAY: It is on its way, or its place is.
+    HELD: Its group was told to hold, or it has not set out yet.
+    STUCK: It has not got on for 5 s.
+    OUTSIDE: Its place lies outside the ground.
+    OBSTACLE: Its place lies in an obstacle.
+    NARROW: Its place is too narrow for its body.
+    NO_WAY: No way leads to its place.
+    CROWDED: Others have taken the room at its place.
+    """
+
+    IN_PLACE = "inPlace"
+    ON_THE_WAY = "onTheWay"
+    HELD = "held"
+    STUCK = "stuck"
+    OUTSIDE = "outside"
+    OBSTACLE = "obstacle"
+    NARROW = "narrow"
+    NO_WAY = "noWay"
+    CROWDED = "crowded"
 
 
 class EventKind(str, Enum):

@@ -127,6 +127,10 @@ void defineReadOuts(py::class_<WorldHandle>& world) {
         "The way of the character of an id to its place: corners round what stands still, both ends "
         "included, shape (n, 2)\n"
         "[m], a copy. Empty for the unmatched and where there is none. Fails with NotFoundError.");
+    world.def_property_readonly(
+        "standings", [](WorldHandle& self) { return toPython(self.get().standings()); },
+        "Of each character its Standing: whether it stands in its place, and if not, what keeps it from "
+        "there.");
     world.def(
         "forecast", &forecast, py::arg("group"), py::arg("order"),
         "What would come of an order that the group of that id were given now, and nothing else changed.\n"

@@ -188,6 +188,21 @@ enum class Stance : std::uint8_t {
     Yield,   ///< It makes room for others.
 };
 
+/// Whether a character stands in its place, and if not, what keeps it from there. Of a place it is said where
+/// the formation wants it: people stand beside it where they cannot stand there.
+enum class Standing : std::uint8_t {
+    InPlace,   ///< It stands within 0.5 m of where its formation wants it.
+    OnTheWay,  ///< It is on its way, or its place is.
+    Held,      ///< Its group was told to hold, or it has not set out yet.
+    Stuck,     ///< It has not got on for 5 s.
+    Outside,   ///< Its place lies outside the ground.
+    Obstacle,  ///< Its place lies in an obstacle.
+    Narrow,    ///< Its place is too narrow for its body.
+    NoWay,     ///< No way leads to its place.
+    Crowded,   ///< Others have taken the room at its place.
+    Count,     ///< Their number.
+};
+
 /// Kinds of events. Those from Arrived on tell how orders get on and how groups change; each from Arrived to
 /// Partial comes once per order and version of the ground. An order is a pose, a formation, a count or a
 /// drawn way; the ground changes with every command that changes obstacles or patches.
@@ -277,6 +292,8 @@ template <>
 inline constexpr QueueEdit kLastOf<QueueEdit> = QueueEdit::Stop;
 template <>
 inline constexpr Stance kLastOf<Stance> = Stance::Yield;
+template <>
+inline constexpr Standing kLastOf<Standing> = Standing::Crowded;
 template <>
 inline constexpr EventKind kLastOf<EventKind> = EventKind::Entered;
 /// How many values an enumeration has.

@@ -35,6 +35,10 @@ inline constexpr std::array kQueueModeWords{"replace", "append", "insert"};
 inline constexpr std::array kQueueEditWords{"cancel", "hold", "resume", "patrol", "endPatrol", "stop"};
 inline constexpr std::array kStanceWords{"normal", "hold", "yield"};
 // clang-format off
+inline constexpr std::array kStandingWords{
+    "inPlace", "onTheWay", "held", "stuck", "outside", "obstacle", "narrow", "noWay", "crowded"};
+// clang-format on
+// clang-format off
 inline constexpr std::array kEventKindWords{
     "enterPatch", "leavePatch", "transitionStart", "transitionEnd", "singleStep", "collect",
     "formationChange", "swap", "arrived", "stuck", "blocked", "free", "noPath", "partial", "orderGiven",

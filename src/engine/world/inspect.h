@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "muster/id.h"
 #include "muster/vec2.h"
@@ -21,6 +22,7 @@ class World;
 struct Characters;
 struct FormationDef;
 struct GroupDef;
+struct StandingReport;
 struct UnitCost;
 
 namespace inspect {
@@ -49,6 +51,8 @@ const PlaceTracker& places(const World& world, std::size_t group);
 /// its place at the end of it; infinite without a place, and while its formation is marching. Without places:
 /// the distance beyond the crowd round the target.
 double distanceLeft(const World& world, std::size_t character);
+/// Of each character whether it stands in its place, what keeps it from there, and where that is.
+std::vector<StandingReport> standings(const World& world);
 /// True for a character that is to leave the world by an exit.
 bool leaves(const World& world, std::size_t character);
 /// The number of the way through a door for a character that leaves and does not take the shortest route; -1

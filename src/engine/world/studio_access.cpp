@@ -5,14 +5,15 @@
 #include "engine/formation/shapes/make_formation.h"
 #include "engine/ground/environment/environment.h"
 #include "engine/state/validation.h"
+#include "engine/systems/events/standing.h"
 #include "engine/world/world_engine.h"
 
 namespace muster {
 
-std::vector<PlaceBar> barsOf(const World& world, GroupId group, std::span<const Vec2> places) {
+std::vector<Standing> barsOf(const World& world, GroupId group, std::span<const Vec2> places) {
     WorldEngine& engine = WorldAccess::of(world);
     engine.finishBackgroundWork();
-    std::vector<PlaceBar> bars(places.size(), PlaceBar::None);
+    std::vector<Standing> bars(places.size(), Standing::InPlace);
     const Group* const found = engine.state.findGroup(group);
     if (found == nullptr) return bars;
     const RouteGraph& routes = engine.state.refreshRoutes(found->groundClass);
@@ -25,13 +26,12 @@ std::vector<PlaceBar> barsOf(const World& world, GroupId group, std::span<const 
     const double least = routes.radius() - 0.5 * std::sqrt(2.0) * grid.cell;
     for (std::size_t k = 0; k < places.size(); ++k) {
         const Vec2 p = places[k];
-        const Cell cell = grid.nearestCell(p);
         const std::int32_t label = routes.region(p);
-        if (!environment.def().box.contains(p) || label < 0 ||
-            clearance[static_cast<std::size_t>(grid.index(cell))] < least)
-            bars[k] = PlaceBar::Obstacle;
-        else if (region >= 0 && label != region)
-            bars[k] = PlaceBar::CutOff;
+        const float clear = clearance[static_cast<std::size_t>(grid.index(grid.nearestCell(p)))];
+        if (!environment.def().box.contains(p) || label < 0 || clear < least ||
+            (region >= 0 && label != region))
+            bars[k] = barOf(engine.state, *found, region, p);
+        if (bars[k] == Standing::Crowded) bars[k] = Standing::Narrow;
     }
     return bars;
 }

@@ -13,15 +13,9 @@
 
 namespace muster {
 
-/// Reason for which characters of a group cannot stand at a place.
-enum class PlaceBar : std::uint8_t {
-    None,      ///< They can stand there.
-    Obstacle,  ///< It lies in a static obstacle, too near to one, or outside the box.
-    CutOff,    ///< No route leads there from where most of the group are.
-};
-
-/// The bar of each of these places for a group. Moving obstacles bar nothing. All None for an unknown group.
-std::vector<PlaceBar> barsOf(const World& world, GroupId group, std::span<const Vec2> places);
+/// Whether a group can stand at each of these places: InPlace, or what keeps it from there. Moving obstacles
+/// bar nothing. All InPlace for an unknown group.
+std::vector<Standing> barsOf(const World& world, GroupId group, std::span<const Vec2> places);
 
 /// The places of a formation for as many characters as a group has, with its centre at a pose. Fails, naming
 /// the cause, where there is no such group or the formation cannot be made.

@@ -10,6 +10,8 @@
 #include "engine/state/bare_groups.h"
 #include "engine/state/validation.h"
 #include "engine/systems/commands/picked_group.h"
+#include "engine/systems/events/standing.h"
+#include "engine/systems/places/place_stage.h"
 #include "engine/world/inspect.h"
 #include "engine/world/studio_access.h"
 #include "engine/world/world_engine.h"
@@ -56,6 +58,11 @@ std::vector<Vec2> World::wayAhead(std::size_t character) const {
     std::int64_t whole = std::numeric_limits<std::int64_t>::max();
     const bool found = search.advance(routes, whole) == RouteStatus::Found;
     return found ? search.path() : std::vector<Vec2>{};
+}
+std::vector<Standing> World::standings() const {
+    std::vector<Standing> standings;
+    for (const StandingReport& report : inspect::standings(*this)) standings.push_back(report.standing);
+    return standings;
 }
 std::size_t World::groupCount() const {
     return engine_->state.groups.size();
@@ -229,6 +236,17 @@ double distanceLeft(const World& world, std::size_t character) {
     if (kind != OrderKind::Move && kind != OrderKind::Face) return left;
     if (queue.march.phase != MarchPhase::Stand) return kNone;
     return std::max(left, distance(c.position[character], group.places.reachableTargets()[place]));
+}
+std::vector<StandingReport> standings(const World& world) {
+    WorldEngine& engine = WorldAccess::of(world);
+    WorldState& state = engine.state;
+    if (state.routes.version() == 0) {  // No step was made yet.
+        engine.finishBackgroundWork();
+        refreshRoutes(state);
+    }
+    std::vector<StandingReport> reports(state.characters.size());
+    for (const Group& group : state.groups) judgeStandings(state, group, reports);
+    return reports;
 }
 bool leaves(const World& world, std::size_t character) {
     const WorldState& state = WorldAccess::of(world).state;

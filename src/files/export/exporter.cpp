@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/maths.h"
+#include "files/export/chosen_people.h"
 #include "muster/motion.h"
 
 namespace muster {
@@ -26,7 +27,11 @@ class Resampler {
 public:
     /// `times` are those of the frames in the take.
     Resampler(const ClipLibrary& library, const ExportDef& def, std::vector<double> times, Exporter& exporter)
-        : def_(def), times_(std::move(times)), exporter_(exporter), posesWanted_(exporter.wantsPoses()) {
+        : def_(def),
+          chosen_(def_),
+          times_(std::move(times)),
+          exporter_(exporter),
+          posesWanted_(exporter.wantsPoses()) {
         if (exporter.wantsClips()) motion_.emplace(library, CrowdMotionDef{posesWanted_});
     }
 
@@ -48,6 +53,8 @@ public:
     bool done() const { return next_ == times_.size(); }
     double share() const { return static_cast<double>(next_) / static_cast<double>(times_.size()); }
     const Status& status() const { return status_; }
+    /// False where somebody was to be chosen and nobody was.
+    bool anyone() const { return chosen_.all() || chosen_.anyone(); }
 
 private:
     double frameTime() const { return times_[next_]; }
@@ -94,6 +101,7 @@ private:
             if (known && share < 1.0) between(b, share, i);
             if (posesWanted_) frame_[i].pose = &poses_[i];
         }
+        chosen_.keep(world, frame_);
         return {next_, frameTime(), frame_, &world};
     }
 
@@ -113,6 +121,7 @@ private:
     }
 
     ExportDef def_;
+    ChosenPeople chosen_;
     std::vector<double> times_;
     Exporter& exporter_;
     bool posesWanted_ = false;
@@ -145,8 +154,9 @@ std::vector<double> timesOf(const ExportDef& def) {
     return times;
 }
 
-/// The times of the frames of the exported part, or the reason why there are none.
-Result<std::vector<double>> framesOf(const Take& take, ExportDef& def) {
+}  // namespace
+
+Result<std::vector<double>> exportTimes(const Take& take, ExportDef& def) {
     const double end = static_cast<double>(take.steps()) * take.def.parameters.stepTime;
     const auto bad = [end](const char* what, double found, const char* expected) {
         char text[160];
@@ -163,21 +173,22 @@ Result<std::vector<double>> framesOf(const Take& take, ExportDef& def) {
     TakeAbout about;
     about.speeds = def.speeds;
     if (Status s = about.check(); !s.ok()) return s;
+    if (def.firstPerson > def.lastPerson)
+        return invalidArgument("people: found " + std::to_string(def.firstPerson) + " to " +
+                               std::to_string(def.lastPerson) + ", expected the smaller number first");
     return timesOf(def);
 }
-
-}  // namespace
 
 Status exportTake(const Take& take, const ClipLibrary& library, const ExportDef& def, Exporter& exporter,
                   const ExportProgress& progress, ReplayFrom from) {
     ExportDef part = def;
-    auto times = framesOf(take, part);
+    auto times = exportTimes(take, part);
     if (!times.ok()) return times.status();
     auto start = World::create(take.def, part.threads);
     if (!start.ok()) return start.status();
-    if (Status s = exporter.begin({take.def.name, part.fps, part.from, times->size(), &*start, &library});
-        !s.ok())
-        return s;
+    const std::size_t chosen = ChosenPeople(part).countIn(*start);
+    const ExportInfo info{take.def.name, part.fps, part.from, times->size(), &*start, &library, chosen};
+    if (Status s = exporter.begin(info); !s.ok()) return s;
     Resampler resampler(library, part, std::move(*times), exporter);
     bool more = resampler.observe(*start);
     bool cancelled = false;
@@ -195,6 +206,7 @@ Status exportTake(const Take& take, const ClipLibrary& library, const ExportDef&
     if (!resampler.status().ok()) return resampler.status();
     if (cancelled) return {StatusCode::Unsupported, "the export was cancelled"};
     if (!resampler.done()) return {StatusCode::Corrupt, "the take ended before its last frame"};
+    if (!resampler.anyone()) return invalidArgument("nobody in this part of the take was chosen");
     return exporter.finish();
 }
 

@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "muster/clip.h"
 #include "muster/export.h"
@@ -44,6 +46,10 @@ struct ExportInfo {
     std::size_t frames = 0;        ///< Exact number of frames, at least one.
     const World* world = nullptr;  ///< The world before the take's first step. Only valid within begin().
     const ClipLibrary* clips = nullptr;  ///< The clips that characters move by; valid until finish().
+    std::optional<std::size_t> chosen;   ///< Characters of that world that are exported; none: all.
+
+    /// Characters that are exported, of those before the first step.
+    std::size_t people() const { return chosen.value_or(world->characters().size()); }
 };
 
 /// Writes a take in some format. The calls are begin() once, frame() once per frame and finish() once; none
@@ -67,6 +73,10 @@ public:
     /// Completes the file and moves it to its final path.
     virtual Status finish() = 0;
 };
+
+/// The times of an export's frames in the take [s]; `def.to` becomes the time of the end where it is
+/// negative. Fails with InvalidArgument, naming what does not fit the take.
+Result<std::vector<double>> exportTimes(const Take& take, ExportDef& def);
 
 /// Replays `take` with the clips of `library` and passes its frames to `exporter`. Positions and poses
 /// between steps are interpolated. `progress` is called with the completed share; it may be empty. Fails with

@@ -9,8 +9,10 @@ namespace {
 constexpr std::array kFormats{
     ExportFormat{"glb", ".glb", "one binary glTF file: bodies in motion on their ground, and a camera"},
     ExportFormat{"usda", ".usda", "one USD text file with the same"},
+    ExportFormat{"usdc", ".usdc", "the same as binary USD, less than half as large"},
     ExportFormat{"bvh", "-bvh", "a folder with one BVH file per character"},
     ExportFormat{"joints", "-joints.json", "where all joints are, as JSON"},
+    ExportFormat{"csv", ".csv", "a table: who was where, how fast and in which motion"},
     ExportFormat{"jupedsim", ".sqlite", "trajectories as JuPedSim's SQLite file"},
     ExportFormat{"pedpy", ".txt", "trajectories as text for PedPy"},
     ExportFormat{"player", ".muster-player", "one small file that <muster-player> plays in any web page"},
@@ -19,8 +21,8 @@ constexpr std::array kFormats{
 /// Functions that make an exporter for a path, in the order of kFormats.
 using MakeExporter = std::unique_ptr<Exporter> (*)(const std::string&);
 constexpr std::array<MakeExporter, kFormats.size()> kMakers{
-    makeGltfExporter,     makeUsdExporter,   makeBvhExporter,    makeJointListExporter,
-    makeJupedsimExporter, makePedpyExporter, makePlayerExporter,
+    makeGltfExporter, makeUsdExporter,      makeUsdCrateExporter, makeBvhExporter,    makeJointListExporter,
+    makeCsvExporter,  makeJupedsimExporter, makePedpyExporter,    makePlayerExporter,
 };
 
 }  // namespace

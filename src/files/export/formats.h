@@ -47,10 +47,17 @@ std::string walkableArea(const Environment& environment);
 /// radians; the others are those of PersonFacts. Frames are numbered from 0.
 std::unique_ptr<Exporter> makePedpyExporter(const std::string& path);
 
+/// Writes a table as CSV (RFC 4180) with a head: for each character and frame its time in the take [s], id,
+/// id and name of its group, x and y [m], heading [deg] counter-clockwise from +x, speed [m/s], the clip that
+/// it plays, and goal of PersonFacts, empty for none.
+std::unique_ptr<Exporter> makeCsvExporter(const std::string& path);
+
 /// Writes one USDA file: for each character a SkelRoot with skeleton, animation and a skinned body, its shirt
 /// in the colour of its group; ground, obstacles and patches as they are at the first frame; a camera that
 /// sees all positions of the take. Z is up, one unit is one metre, and time code 0 is the first frame.
 std::unique_ptr<Exporter> makeUsdExporter(const std::string& path);
+/// Writes the same as one binary USDC file.
+std::unique_ptr<Exporter> makeUsdCrateExporter(const std::string& path);
 
 std::unique_ptr<Exporter> makePlayerExporter(const std::string& path);  ///< For formats.cpp.
 

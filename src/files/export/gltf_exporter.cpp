@@ -40,7 +40,7 @@ public:
 
     Status begin(const ExportInfo& info) override {
         info_ = info;
-        if (Status s = checkSize(info.world->characters().size()); !s.ok()) return s;
+        if (Status s = checkSize(info.people()); !s.ok()) return s;
         if (Status s = file_.open(path_); !s.ok()) return s;
         if (Status s = buffer_.open(path_ + ".data.part"); !s.ok()) return s;
         return writeTimes();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "files/export/exporter.h"
 
@@ -9,9 +10,11 @@ namespace muster {
 
 /// Facts of one character in one frame.
 struct PersonFacts {
-    std::uint32_t group = 0;  ///< Id of its group; 0 where the character has just left.
-    int motion = -1;          ///< Index into the world's clips; -1 where it has just left.
-    std::uint32_t goal = 0;   ///< Id of the exit or waiting area that it goes to; 0 for none.
+    std::uint32_t group = 0;     ///< Id of its group; 0 where the character has just left.
+    int motion = -1;             ///< Index into the world's clips; -1 where it has just left.
+    std::uint32_t goal = 0;      ///< Id of the exit or waiting area that it goes to; 0 for none.
+    std::string_view groupName;  ///< Of its group, while the world stands.
+    double speed = 0.0;          ///< [m/s]
 };
 
 /// Finds the facts of the characters of a frame, asked for in ascending order of ids.
@@ -23,8 +26,9 @@ public:
         const CharactersView all = world_.characters();
         while (at_ < all.size() && all.id[at_] < id) ++at_;
         if (at_ == all.size() || all.id[at_] != id) return {};
-        return {world_.group(all.group[at_]).id.value, all.motion[at_],
-                at_ < all.goal.size() ? all.goal[at_] : 0};
+        const GroupView group = world_.group(all.group[at_]);
+        return {group.id.value, all.motion[at_], at_ < all.goal.size() ? all.goal[at_] : 0, group.name,
+                length(all.velocity[at_])};
     }
 
 private:

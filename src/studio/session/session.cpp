@@ -33,6 +33,7 @@ Status Session::Impl::begin(const std::string& worldName, const WorldDef& newDef
 void Session::Impl::beginWith(World begun, const std::string& worldName, const WorldDef& newDef,
                               std::unique_ptr<TakePlayer> taken) {
     stopRecording();
+    if (leaving) park();
     world.emplace(std::move(begun));
     if (&worldDef != &newDef) worldDef = newDef, warn();
     editor.begin(worldDef);
@@ -48,14 +49,19 @@ void Session::Impl::beginWith(World begun, const std::string& worldName, const W
     }
     layer.clear();
     waitsForHand = false;
+    endSaid = false;
     recorded = false;
     fullReported = false;
     demonstratedUntil = 0;
     waitingCommands = 0;
     singleSteps = 0;
     pacer.reset();
-    playing = true;
+    shared.goesOn = !shared.builders.empty();  // Who builds goes on building.
+    playing = shared.builders.empty();
+    shared.pausedBy = 0;
+    shared.touch();
     frames.restart();
+    standings.restart();
     stages.forget();
     directors.forgetGroups();
     beginMotion();
@@ -63,6 +69,7 @@ void Session::Impl::beginWith(World begun, const std::string& worldName, const W
     refreshScene();
     touchState();
     forgetClients();
+    if (!player && def.opened) def.opened(name);
 }
 
 // What clients did belongs to the world before.
@@ -108,7 +115,7 @@ Status Session::Impl::restart() {
     if (!world) return {StatusCode::NotFound, "there is no world to restart"};
     if (player) {
         player->want(player->first());
-        playing = true;
+        resume();
         pacer.reset();
         touchState();
         return {};
@@ -168,6 +175,7 @@ bool Session::demonstrating() const {
 
 void Session::elapse(double seconds) {
     impl_->realTime += std::max(0.0, seconds);
+    impl_->settleAsk();
     if (impl_->world && impl_->playing)
         impl_->pacer.elapse(seconds, impl_->pace(), impl_->world->parameters().stepTime);
 }
@@ -290,6 +298,7 @@ void Session::Impl::reportRejections() {
 void Session::Impl::noticeEvents() {
     std::vector<EventNotice> notices;
     appendNotices(*world, notices);
+    standings.observe(*world, notices);
     for (const EventNotice& one : notices) noticeAll(one.level, one.code, one.text, one.position);
 }
 

@@ -20,7 +20,8 @@ double frameSpacing(std::size_t characters) {
 
 std::uint32_t Session::connect() {
     const std::uint32_t id = ++impl_->lastClient;
-    impl_->clients.emplace(id, SessionClient(impl_->def.limits)).first->second.number = id;
+    SessionClient& client = impl_->clients.emplace(id, SessionClient(impl_->def.limits)).first->second;
+    client.id = client.number = id;
     return id;
 }
 
@@ -34,6 +35,11 @@ void Session::disconnect(std::uint32_t client) {
     impl_->directors.leave(found->second.number);
     impl_->editor.forget(found->second.number);
     impl_->clients.erase(found);
+    impl_->endBuilding(client);
+    if (impl_->shared.pausedBy == client || impl_->shared.changedBy == client) impl_->shared.touch();
+    if (impl_->ask.asker() == client) impl_->closeAsk();
+    impl_->ask.leave(client);
+    impl_->settleAsk();
 }
 
 void Session::notice(std::uint32_t client, bool error, const std::string& code, const std::string& text) {
@@ -65,11 +71,11 @@ void Session::Impl::noticeAll(protocol::NoticeLevel level, const std::string& co
     }
 }
 
-void Session::Impl::tellOthers(std::uint32_t id, const std::string& did) {
-    for (auto& [other, client] : clients) {
-        if (client.greeted && client.number != id)
-            notice(client, protocol::NoticeLevel::Info, "director", directors.name(id) + " " + did + ".");
-    }
+std::vector<protocol::ScenarioInfo> Session::Impl::scenarioInfos() const {
+    std::vector<protocol::ScenarioInfo> infos;
+    for (const ScenarioEntry& entry : def.scenarios)
+        infos.push_back({entry.name, entry.title, entry.description, entry.characters});
+    return infos;
 }
 
 void Session::Impl::greet(SessionClient& client, const std::string& called) {
@@ -78,8 +84,7 @@ void Session::Impl::greet(SessionClient& client, const std::string& called) {
     protocol::Welcome welcome;
     welcome.client = client.number;
     welcome.version = def.version;
-    for (const ScenarioEntry& entry : def.scenarios)
-        welcome.scenarios.push_back({entry.name, entry.title, entry.description, entry.characters});
+    welcome.scenarios = scenarioInfos();
     for (const NamedScheme& scheme : namedSchemes()) welcome.schemes.push_back(infoOf(scheme));
     client.outbox.push_back(protocol::encode(welcome));
     if (world && !warning.empty()) notice(client, protocol::NoticeLevel::Warning, "scenario", warning + ".");
@@ -96,6 +101,7 @@ void Session::outgoing(std::uint32_t client, std::vector<MessageBytes>& messages
     if (found == impl_->clients.end()) return;
     SessionClient& to = found->second;
     if (to.greeted) impl_->sendDirectors(to);
+    if (to.greeted) impl_->sendShared(to);
     if (to.greeted && impl_->world) impl_->sendTake(to);
     if (to.greeted) impl_->sendHistory(to);
     to.scheme.send(to.outbox);

@@ -85,20 +85,24 @@ public:
         switch (message.action) {
             case protocol::PlaybackAction::Play:
                 if (session_.player && session_.player->atEnd(*session_.world)) return session_.restart();
-                session_.playing = true;
-                session_.waitsForHand = false;
+                session_.resume();
                 break;
             case protocol::PlaybackAction::Pause:
-                session_.playing = false;
+                session_.pause(client_);
                 break;
             case protocol::PlaybackAction::SingleStep:
-                session_.playing = false;
+                session_.pause(client_);
                 session_.singleSteps = std::min(session_.singleSteps + 1, kMaxSingleSteps);
                 break;
             case protocol::PlaybackAction::Restart:
-                return announced(session_.restart(), "began again");
+                if (session_.player) return session_.restart();
+                return session_.beginFor(client_.id, protocol::WorldChange::Restarted,
+                                         [&] { return session_.restart(); });
             case protocol::PlaybackAction::Demonstrate:
-                return announced(session_.demonstrate(), "plays the touches that the scenario carries");
+                return session_.beginFor(client_.id, protocol::WorldChange::Watched,
+                                         [&] { return session_.demonstrate(); });
+            case protocol::PlaybackAction::GoBack:
+                return session_.goBack(client_.id);
         }
         session_.pacer.reset();
         session_.touchState();
@@ -123,7 +127,8 @@ public:
             return {StatusCode::NotFound, "no scenario is called '" + message.name.substr(0, 60) + "'"};
         const auto def = session_.def.loadScenario(found->name);
         if (!def.ok()) return def.status();
-        return announced(session_.begin(found->name, def.value()), "opened " + found->title);
+        return session_.beginFor(client_.id, protocol::WorldChange::Opened,
+                                 [&] { return session_.begin(found->name, def.value()); });
     }
 
     Status operator()(const protocol::Record& message) {
@@ -221,6 +226,13 @@ public:
         return {};
     }
 
+    Status operator()(const protocol::AskStandings& message) {
+        if (!session_.world) return noWorld();
+        if (Status status = takeForecasts(1); !status.ok()) return status;
+        client_.outbox.push_back(protocol::encode(answerStandings(*session_.world, message)));
+        return {};
+    }
+
     Status operator()(const protocol::Say& message) {
         if (message.act == protocol::SayAct::Preview)
             if (Status status = takeForecasts(1); !status.ok()) return status;
@@ -263,6 +275,11 @@ public:
     Status operator()(const protocol::Edit& message) { return session_.edit(client_, message); }
     Status operator()(const protocol::UndoEdit& message) { return session_.undoEdit(client_, message.redo); }
 
+    Status operator()(const protocol::AskOthers& message) { return session_.askOthers(client_, message); }
+    Status operator()(const protocol::AnswerAsk& message) { return session_.answerAsk(client_, message); }
+    Status operator()(const protocol::Build& message) { return session_.build(client_, message.on); }
+    Status operator()(const protocol::KeepPlace& message) { return session_.keepPlace(client_, message); }
+
     Status operator()(const protocol::EnterStudy&) { return noStudy(); }
     Status operator()(const protocol::AnswerForm&) { return noStudy(); }
     Status operator()(const protocol::DoInStudy&) { return noStudy(); }
@@ -285,10 +302,6 @@ private:
         return {StatusCode::LimitExceeded,
                 "more than " + std::to_string(static_cast<int>(session_.def.limits.forecastsPerSecond)) +
                     " forecasts a second"};
-    }
-    Status announced(Status status, const std::string& did) const {
-        if (status.ok()) session_.tellOthers(client_.number, did);
-        return status;
     }
     static Status noWorld() { return {StatusCode::NotFound, "there is no world yet"}; }
     static Status noGroup(std::uint32_t id) {
@@ -370,8 +383,7 @@ Status Session::Impl::submit(SessionClient& client, std::vector<CommandBody>& bo
 
 void Session::Impl::handCame() {
     if (!waitsForHand) return;
-    waitsForHand = false;
-    playing = true;
+    resume();
     touchState();
 }
 

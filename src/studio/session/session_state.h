@@ -1,6 +1,7 @@
 // The session's state, shared by the files that implement it.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -12,12 +13,15 @@
 #include "studio/session/frames/frame_sender.h"
 #include "studio/session/frames/overlay.h"
 #include "studio/session/frames/stage_means.h"
+#include "studio/session/frames/standing_watch.h"
 #include "studio/session/history/place_editor.h"
 #include "studio/session/inbox/chosen_scheme.h"
 #include "studio/session/inbox/directors.h"
 #include "studio/session/inbox/pacer.h"
 #include "studio/session/inbox/protocol.h"
 #include "studio/session/inbox/touch_clock.h"
+#include "studio/session/shared/shared_world.h"
+#include "studio/session/shared/world_ask.h"
 #include "studio/session/takes/handover.h"
 #include "studio/session/takes/take_log.h"
 #include "studio/session/takes/take_player.h"
@@ -32,6 +36,7 @@ struct SessionClient {
           touches(limits.touchesPerSecond, limits.touchesPerSecond),
           forecasts(limits.forecastsPerSecond, limits.forecastsPerSecond) {}
 
+    std::uint32_t id = 0;        ///< As connect() gave it.
     bool greeted = false;        ///< True after its Hello message.
     std::uint32_t number = 0;    ///< Its number in commands; its id, until a take is taken up.
     bool steers = false;         ///< True after it has given commands to this world.
@@ -50,6 +55,7 @@ struct SessionClient {
     double readyDue = 0.0;                     ///< Real time at which the next TakeReady is due [s].
     std::optional<protocol::AskPath> path;     ///< The path of the take that it waits for.
     std::uint32_t sentDirectors = 0;           ///< Revision of the directors sent; 0 for none.
+    std::uint32_t sentShared = 0;              ///< Revision of the SharedWorld sent; 0 for none.
     std::uint32_t sentHistory = 0;             ///< Revision of the edits of the last EditHistory.
     double frameDue = 0.0;                     ///< Real time when the next frame is due while playing [s].
     std::vector<protocol::EventFrame> events;  ///< Events since the last frame.
@@ -110,6 +116,8 @@ struct Session::Impl {
     void reportLostFile();
 
     // Replays (session_takes.cpp).
+    Status openTake(std::span<const std::uint8_t> bytes, const std::string& sourceName,
+                    const std::string& fileName);
     void stepReplay();
     void seek();
     void replayEnded();
@@ -121,6 +129,7 @@ struct Session::Impl {
     void liftRecorded(const Take& take, std::uint32_t step, std::uint32_t after = 0);
     void submitLayer();
     Status editTake(const protocol::EditTake& message);
+    std::string titleAgain(const TakePlayer& taken) const;
     void touchTake() { ++takeRevision, touchState(); }
     void sendTake(SessionClient& client);
 
@@ -133,14 +142,35 @@ struct Session::Impl {
     void sendPath(SessionClient& client);
     void keepChanged();
 
+    // The world that directors share (session_shared.cpp).
+    std::size_t greetedClients() const;
+    std::uint32_t numberOf(std::uint32_t id) const;  ///< 0 for who is not there.
+    std::uint32_t idOf(std::uint32_t number) const;  ///< 0 for who is not there.
+    void pause(const SessionClient& client);
+    void resume();
+    Status build(SessionClient& client, bool on);
+    void endBuilding(std::uint32_t id);
+    Status askOthers(SessionClient& client, const protocol::AskOthers& message);
+    Status answerAsk(SessionClient& client, const protocol::AnswerAsk& message);
+    void closeAsk();
+    void settleAsk();
+    /// A director begins another world, by `work`: where others direct, one can go back to this one.
+    Status beginFor(std::uint32_t id, protocol::WorldChange change, const std::function<Status()>& work);
+    void park();
+    Status goBack(std::uint32_t id);
+    Status reopen(const ParkedWorld& back);
+    void bringBack(ParkedWorld& back);
+    void sendShared(SessionClient& client);
+    Status keepPlace(SessionClient& client, const protocol::KeepPlace& message);
+    void keepEntry(const ScenarioEntry& entry);
+    std::vector<protocol::ScenarioInfo> scenarioInfos() const;
+
     // Clients (session_clients.cpp).
     void greet(SessionClient& client, const std::string& called);
     void notice(SessionClient& client, protocol::NoticeLevel level, const std::string& code,
                 const std::string& text, std::optional<Vec2> place = std::nullopt);
     void noticeAll(protocol::NoticeLevel level, const std::string& code, const std::string& text,
                    std::optional<Vec2> place = std::nullopt);
-    /// Tells everybody but one director what that one did.
-    void tellOthers(std::uint32_t id, const std::string& did);
     void sendDirectors(SessionClient& client);
     void buildFrame();
     void sendFrame(SessionClient& client);
@@ -154,6 +184,8 @@ struct Session::Impl {
     void submitEdits();
     void editsCarriedOut();
     void sendHistory(SessionClient& client);
+    /// The place as a definition: what the world began from, with all edits since.
+    WorldDef placeNow() const;
 
     // Sentences (words/session_words.cpp).
     Result<protocol::Said> say(SessionClient& client, const protocol::Say& message);
@@ -173,6 +205,10 @@ struct Session::Impl {
     std::map<std::uint32_t, SessionClient> clients;  // By client number.
     std::uint32_t lastClient = kLastDemonstrator;
     Directors directors;
+    SharedWorld shared;
+    WorldAsk ask;
+    std::optional<Leaving> leaving;     // While somebody begins another world.
+    std::optional<ParkedWorld> parked;  // The world before.
     PlaceEditor editor;
     std::vector<PlaceEditor::Given> givenEdits;  // Edits of the step that is made.
     std::vector<SpokenRest> spoken;              // What waits for parts that the next step makes.
@@ -186,6 +222,7 @@ struct Session::Impl {
     std::optional<World> world;
     std::unique_ptr<TakePlayer> player;    // Of the take that is open; null otherwise.
     std::vector<std::uint8_t> takenBytes;  // Its bytes.
+    bool endSaid = false;                  // It was said that it ends.
     std::uint32_t takeRevision = 1;        // It grows with every change of what TakeState tells.
     // Recorded commands beneath a take that is directed again, by step, and the next of them.
     std::vector<Command> layer;
@@ -214,6 +251,7 @@ struct Session::Impl {
     std::uint64_t signature = 0;  // Signature of the scene with that revision.
     MessageBytes sceneBytes;      // The Scene message with that revision.
     FrameBuilder frames;
+    StandingWatch standings;
     StageMeans stages;  // Of steps since somebody watches.
     MotionFrames motion;
     std::vector<Attention> attentions;             // Attention of all clients; working memory.

@@ -111,6 +111,12 @@ TEST_SUITE("the C API of worlds") {
         REQUIRE(count == static_cast<int>(way.size()));
         REQUIRE(count >= 2);
         CHECK(points[count - 1].y == way.back().y);
+
+        const std::vector<Standing> standings = both.engine().standings();
+        const std::uint8_t* each = nullptr;
+        REQUIRE(muster_world_standings(both.id(), &each, &count) == MUSTER_OK);
+        REQUIRE(count == static_cast<int>(standings.size()));
+        for (int i = 0; i < count; ++i) CHECK(each[i] == static_cast<std::uint8_t>(standings[i]));
     }
 
     TEST_CASE("the ground is read back as it was defined") {

@@ -66,6 +66,61 @@ TEST_CASE("text for PedPy holds every character in every frame") {
     CHECK(file.eof());
 }
 
+TEST_CASE("a table has a row for every character in every frame, with units in its head") {
+    const Take take = shortTake();
+    const std::string path = (exportFolder() / "t.csv").string();
+    Recorder recorder;
+    recorder.poses = false;
+    REQUIRE(exportTake(take, ownClips(), {0.5, 1.5, 10.0, 1}, recorder).ok());
+    REQUIRE(exportTake(take, ownClips(), {0.5, 1.5, 10.0, 1}, *exporterOf("csv", path)).ok());
+    std::ifstream file(path);
+    std::string line;
+    std::getline(file, line);
+    CHECK(line == "time_s,person,group,group_name,x_m,y_m,heading_deg,speed_m_s,motion,goal");
+    for (const auto& frame : recorder.frames) {
+        for (const ExportCharacter& c : frame.characters) {
+            REQUIRE(std::getline(file, line).good());
+            char motion[20] = "";
+            double time = 0.0, x = 0.0, y = 0.0, heading = 9.0, speed = -1.0;
+            unsigned id = 0;
+            REQUIRE(std::sscanf(line.c_str(), "%lf,%u,1,Group,%lf,%lf,%lf,%lf,%19[^,],", &time, &id, &x, &y,
+                                &heading, &speed, motion) == 7);
+            CHECK(time == doctest::Approx(frame.time));
+            CHECK(id == c.id);
+            CHECK(std::fabs(x - c.position.x) < 1e-4);
+            CHECK(std::fabs(y - c.position.y) < 1e-4);
+            CHECK(speed >= 0.0);
+            CHECK(ownClips().find(motion) != nullptr);
+        }
+    }
+    CHECK_FALSE(std::getline(file, line).good());
+}
+
+TEST_CASE("only chosen people are exported") {
+    const Take take = shortTake();
+    const auto idsIn = [&](const ExportDef& def) {
+        Recorder recorder;
+        const Status status = exportTake(take, ownClips(), def, recorder);
+        std::vector<std::uint32_t> ids;
+        if (!status.ok()) return std::pair{status.message(), ids};
+        for (const ExportCharacter& c : recorder.frames.back().characters) ids.push_back(c.id);
+        CHECK(recorder.frames.front().poses.size() == ids.size());
+        CHECK(recorder.info.people() == ids.size());
+        return std::pair{std::string(), ids};
+    };
+    ExportDef def;
+    CHECK(idsIn(def).second.size() == 9);
+    def.groups = {1};
+    CHECK(idsIn(def).second.size() == 9);
+    def.firstPerson = 3, def.lastPerson = 4;
+    CHECK(idsIn(def).second == std::vector<std::uint32_t>{3, 4});
+    def.groups = {2};
+    CHECK(idsIn(def).first == "nobody in this part of the take was chosen");
+    def.groups.clear();
+    def.firstPerson = 5;
+    CHECK(idsIn(def).first == "people: found 5 to 4, expected the smaller number first");
+}
+
 TEST_CASE("BVH files of all characters show them where they are") {
     const Take take = shortTake();
     const std::string folder = (exportFolder() / "bodies").string();

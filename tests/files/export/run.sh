@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Records a short take of several scenarios, exports each as GLB, asks the Khronos validator, and compares all joints
-# at many times with Muster's own. Usage: run.sh PROGRAM [SECONDS]
+# at many times with Muster's own; then compares binary USD with USD text, as another reader reads them. Usage: run.sh PROGRAM [SECONDS]
 set -u
 program=$(realpath "$1")
 seconds=${2:-6}
@@ -33,6 +33,22 @@ for scenario in woodland cars course open; do
         fail "$scenario: the GLB is not as it should be"
     fi
 done
+
+# One of the takes as USD, in both encodings.
+if [ ! -d "$root/web/node_modules/tinyusdz" ]; then
+    echo "skipped: USD: TinyUSDZ is not there (npm ci in web/)"
+else
+    for format in usda usdc; do
+        "$program" export "$out/cars.take" --format "$format" --to 1 --out "$out/cars.$format" >"$out/log" 2>&1 || cat "$out/log"
+    done
+    if node "$root/tests/files/export/check_usd.mjs" "$root/web/node_modules" "$out/cars.usda" "$out/cars.usdc" >"$out/log" 2>&1; then
+        passed=$((passed + 1))
+        echo "measured: USD: $(sed -n 's/^ok //p' "$out/log")"
+    else
+        cat "$out/log"
+        fail "the binary USD is not as the text"
+    fi
+fi
 
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -4,8 +4,11 @@
 #include <sstream>
 
 #include "base/text_file.h"
+#include "files/export/character_look.h"
+#include "files/export/crate_tables.h"
 #include "files/export/formats.h"
 #include "files/export/pretend_take.h"
+#include "files/export/scene_mesh.h"
 #include "files/export/usd_text.h"
 
 using namespace muster;
@@ -59,18 +62,18 @@ std::vector<Vec3> jointsIn(const std::string& text, std::uint32_t id, std::size_
     const std::string root = prim(text, "def SkelRoot \"character_000" + std::to_string(id) + "\"");
     const auto place = sample(root, "xformOp:translate", frame),
                turn = sample(root, "xformOp:rotateZ", frame);
-    const auto rotations = sample(root, "rotations", frame), moves = sample(root, "translations", frame);
+    const auto rotations = sample(root, "rotations", frame),
+               hips = sample(root, "xformOp:translate:hips", frame);
     REQUIRE(rotations.size() == 4 * kJointCount);
-    REQUIRE(moves.size() == 3 * kJointCount);
     const auto f = [](double v) { return static_cast<float>(v); };
     const Transform base{yawTurn(turn[0] * kPi / 180.0), {f(place[0]), f(place[1]), f(place[2])}};
     std::vector<Transform> joints;
     std::vector<Vec3> places;
     for (std::size_t j = 0; j < kJointCount; ++j) {
         const double* q = &rotations[4 * j];
-        const double* m = &moves[3 * j];
-        const Transform local{normalized(Quat{f(q[1]), f(q[2]), f(q[3]), f(q[0])}),
-                              {f(m[0]), f(m[1]), f(m[2])}};
+        Vec3 place = skeleton()[j].offset;
+        if (j == 0) place += Vec3{f(hips[0]), f(hips[1]), f(hips[2])};
+        const Transform local{normalized(Quat{f(q[1]), f(q[2]), f(q[3]), f(q[0])}), place};
         const std::int32_t parent = skeleton()[j].parent;
         joints.push_back(parent < 0 ? local : joints[parent] * local);
         places.push_back(base.apply(joints[j].translation * characterSize(id)));
@@ -141,7 +144,9 @@ TEST_CASE("who has a chosen colour wears it, in a material of their own") {
     const std::string shirt = prim(person, "def Material \"shirt_ff8000\"");
     CHECK(person.find("material:binding = </World/character_0002/shirt_ff8000>") != std::string::npos);
     CHECK(shirt.find("</World/character_0002/shirt_ff8000/Surface.outputs:surface>") != std::string::npos);
-    CHECK(shirt.find("diffuseColor = " + usdPoint(linearColour(0xFF8000))) != std::string::npos);
+    const Vec3 colour = linearColour(0xFF8000);
+    CHECK(shirt.find("diffuseColor = (1, " + usdNumber(static_cast<double>(colour.y)) + ", 0)") !=
+          std::string::npos);
 }
 
 TEST_CASE("rotations continue without jumps") {
@@ -179,4 +184,76 @@ TEST_CASE("names become valid USD names") {
     CHECK(usdName("") == "_");
     CHECK(usdName("Stra\xc3\x9f"
                   "e") == "Stra__e");
+}
+
+namespace {
+
+std::uint32_t wordAt(const std::string& bytes, std::size_t at, std::size_t width) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < width; ++i)
+        value |= std::uint32_t{static_cast<std::uint8_t>(bytes.at(at + i))} << (8 * i);
+    return value;
+}
+
+/// Reads literals of LZ4 behind the number of blocks.
+std::string unpacked(const std::string& bytes) {
+    REQUIRE(bytes.at(0) == 0);
+    std::size_t at = 2, length = static_cast<std::uint8_t>(bytes.at(1)) >> 4;
+    CHECK((bytes[1] & 15) == 0);
+    for (std::uint8_t more = length == 15 ? 255 : 0; more == 255; length += more)
+        more = static_cast<std::uint8_t>(bytes.at(at++));
+    CHECK(bytes.size() == at + length);
+    return bytes.substr(at);
+}
+
+std::vector<std::uint32_t> numbersIn(const std::string& packed, std::size_t count) {
+    const std::string bytes = unpacked(packed);
+    std::vector<std::uint32_t> numbers;
+    std::size_t at = 4 + (count * 2 + 7) / 8;
+    std::uint32_t number = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const int code = bytes.at(4 + i / 4) >> (2 * (i % 4)) & 3;
+        const std::size_t width = code == 3 ? 4 : static_cast<std::size_t>(code);
+        std::uint32_t step = wordAt(bytes, width == 0 ? 0 : at, width == 0 ? 4 : width);
+        if (width == 1) step = static_cast<std::uint32_t>(static_cast<std::int8_t>(step));
+        if (width == 2) step = static_cast<std::uint32_t>(static_cast<std::int16_t>(step));
+        at += width;
+        numbers.push_back(number += step);
+    }
+    CHECK(at == bytes.size());
+    return numbers;
+}
+
+}  // namespace
+
+TEST_CASE("numbers of binary USD are packed by their differences") {
+    for (const std::size_t size : {0, 3, 14, 15, 269, 270, 600})
+        CHECK(unpacked(crateBytes(std::string(size, 'x'))) == std::string(size, 'x'));
+    const std::vector<std::uint32_t> numbers{0,     1, 2,           3, 4, 100,         99,
+                                             40000, 5, 0xffffffffu, 7, 8, 0x80000000u, 6};
+    CHECK(numbersIn(crateNumbers(numbers), numbers.size()) == numbers);
+}
+
+TEST_CASE("binary USD has the head of its format, and grows by at most half as much as the text") {
+    const auto made = [](auto make, std::size_t frames) {
+        const std::string path = (exportFolder() / "pretended.usd").string();
+        REQUIRE(exportPretendTake(*make(path), frames).ok());
+        return *readTextFile(path, 1u << 30);
+    };
+    const std::string bytes = made(makeUsdCrateExporter, kUsdFrames);
+    CHECK(bytes.substr(0, 11) == std::string("PXR-USDC\0\10\0", 11));
+    const std::size_t list = wordAt(bytes, 16, 4);
+    REQUIRE(wordAt(bytes, list, 4) == 6);
+    std::size_t next = wordAt(bytes, list + 8 + 16, 4);
+    for (std::size_t k = 0; k < 6; ++k) {
+        const std::size_t entry = list + 8 + 32 * k;
+        CHECK(wordAt(bytes, entry + 16, 4) == next);
+        next += wordAt(bytes, entry + 24, 4);
+    }
+    CHECK(next == list);
+    CHECK(bytes.size() == list + 8 + 6 * 32);
+    const std::size_t binary = bytes.size() - made(makeUsdCrateExporter, 25).size();
+    const std::size_t text = pretendedUsd().size() - made(makeUsdExporter, 25).size();
+    MESSAGE("measured: 50 frames take " << binary << " bytes in USDC, " << text << " in USDA");
+    CHECK(2 * binary < text);
 }

@@ -133,19 +133,6 @@ TEST_CASE("Only what is there can be given") {
     CHECK(newest(anna, 0).groups.empty());
 }
 
-TEST_CASE("The others hear who opened or restarted a world") {
-    Session session = startedSession();
-    FakeClient anna(session, true, "Anna"), ben(session, true, "Ben");
-    run(session, 0.1, {&anna, &ben});
-    anna.send(protocol::LoadScenario{"small"});
-    run(session, 0.1, {&anna, &ben});
-    CHECK(ben.noticed("director") == "Anna opened Small floor.");
-    CHECK(anna.noticed("director").empty());
-    ben.send(protocol::Playback{protocol::PlaybackAction::Restart});
-    run(session, 0.1, {&anna, &ben});
-    CHECK(anna.noticed("director") == "Ben began again.");
-}
-
 TEST_CASE("Who leaves with a finger down freezes nothing") {
     Session session = startedSession();
     FakeClient anna(session, true, "Anna");

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "engine/ground/environment/environment.h"
+#include "engine/world/inspect.h"
+#include "engine/world/standings.h"
 #include "studio/session/fake_client.h"
 
 using namespace muster;
@@ -44,10 +47,7 @@ TEST_CASE("one sentence per group and kind names the group and the number") {
     const auto some = said(world, SetPose{blue, {0, 0}, 0.0});
     REQUIRE(!some.empty());
     CHECK(some[0].text == "Blue: 8 of 16 places cannot be reached.");
-    const auto all = said(world, SetPose{blue, {-6, 3}, 0.0});
-    REQUIRE(all.size() == 1);
-    CHECK(all[0].text == "Blue: everybody is in place.");
-    CHECK(all[0].level == protocol::NoticeLevel::Info);
+    CHECK(said(world, SetPose{blue, {-6, 3}, 0.0}).empty());  // Of arrivals frames tell.
 }
 
 TEST_CASE("clients get each notice once, with the place") {
@@ -72,4 +72,54 @@ TEST_CASE("clients get each notice once, with the place") {
             CHECK(one.hasPlace);
             CHECK(one.x > 0.0f);
         }
+}
+
+TEST_CASE("who stands beside a place outside the ground is told of, once for each order") {
+    Session session(sessionDef());
+    WorldDef def = smallFloor();
+    def.groups[0].name = "Blue";
+    REQUIRE(session.load("floor", def).ok());
+    FakeClient client(session);
+    run(session, 3.0, {&client});
+    CHECK(client.notices.empty());
+    const auto barred = [&] {
+        return std::count_if(client.notices.begin(), client.notices.end(),
+                             [](const protocol::Notice& one) { return one.code == "standing"; });
+    };
+    for (const int times : {1, 2}) {
+        client.send(commandsOf(SetPose{session.world()->group(0).id, {-6, 0}, 0.0}));
+        run(session, 10.0, {&client});
+        client.send(commandsOf(SetPose{session.world()->group(0).id, {12, 0}, 0.0}));
+        run(session, 20.0, {&client});
+        CHECK(barred() == times);
+        CHECK(client.noticed("standing").find("in place.") != std::string::npos);
+        CHECK(client.noticed("standing").find(" outside the ground") != std::string::npos);
+        CHECK(client.noticed("arrived").empty());
+    }
+    client.send(protocol::AskStandings{5});
+    client.poll();
+    REQUIRE(client.standings.size() == 1);
+    CHECK(client.standings[0].number == 5);
+    const auto& frame = client.frames.back().groups[0];
+    const StandingCounts counts = countStandings(*session.world())[0];
+    CHECK(client.standings[0].people.size() == barredOf(counts));
+    CHECK(frame.standings.size() <= counts.size());
+    for (const protocol::StandingFrame& one : client.standings[0].people)
+        if (one.standing == Standing::Outside) CHECK(one.x > 12.0f);
+}
+
+TEST_CASE("people inside a wall that is built over them are told of, and walk out") {
+    Session session(sessionDef());
+    REQUIRE(session.load("floor", smallFloor()).ok());
+    FakeClient client(session);
+    run(session, 1.0, {&client});
+    const Vec2 middle = session.world()->group(0).pose.position;
+    const Vec2 low = middle - Vec2{0.3, 8.0}, high = middle + Vec2{0.3, 8.0};
+    const PutThing wall{.obstacle = ObstacleDef{.polygon = {low, {high.x, low.y}, high, {low.x, high.y}}}};
+    client.send(protocol::Edit{"Wall", 0, commandBytes(CommandBody(wall)), {}});
+    run(session, 0.5, {&client});
+    CHECK(client.noticed("buried").find(" inside an obstacle; they walk out.") != std::string::npos);
+    run(session, 6.0, {&client});
+    for (const Vec2 p : session.world()->characters().position)
+        CHECK(inspect::environment(*session.world()).distanceToObstacle(p) > 0.0);
 }

@@ -126,10 +126,16 @@ private:
         if (const auto* m = std::get_if<protocol::Notice>(&message)) notices.push_back(*m);
         if (const auto* m = std::get_if<protocol::Forecasts>(&message)) forecasts.push_back(*m);
         if (const auto* m = std::get_if<protocol::Places>(&message)) places.push_back(*m);
+        if (const auto* m = std::get_if<protocol::Standings>(&message)) standings.push_back(*m);
         if (const auto* m = std::get_if<protocol::Said>(&message)) said.push_back(*m);
         if (const auto* m = std::get_if<protocol::Marks>(&message)) marks.push_back(*m);
         if (const auto* m = std::get_if<protocol::Pong>(&message)) pongs.push_back(*m);
         if (const auto* m = std::get_if<protocol::Directors>(&message)) directors.push_back(*m);
+        if (const auto* m = std::get_if<protocol::SharedWorld>(&message)) shared = *m;
+        if (const auto* m = std::get_if<protocol::Ask>(&message)) asked.push_back(*m);
+        if (const auto* m = std::get_if<protocol::AskAnswered>(&message)) answered.push_back(*m);
+        if (const auto* m = std::get_if<protocol::PlaceKept>(&message)) placeKept = *m;
+        if (const auto* m = std::get_if<protocol::Scenarios>(&message)) scenarios = *m;
         if (const auto* m = std::get_if<protocol::TakeState>(&message)) takes.push_back(*m);
         if (const auto* m = std::get_if<protocol::EditHistory>(&message)) history = *m;
         if (const auto* m = std::get_if<protocol::TakePath>(&message)) path = *m;
@@ -159,10 +165,16 @@ public:
     std::vector<protocol::Notice> notices;
     std::vector<protocol::Forecasts> forecasts;
     std::vector<protocol::Places> places;
+    std::vector<protocol::Standings> standings;
     std::vector<protocol::Said> said;
     std::vector<protocol::Marks> marks;
     std::vector<protocol::Pong> pongs;
     std::vector<protocol::Directors> directors;
+    protocol::SharedWorld shared;  ///< The newest.
+    std::vector<protocol::Ask> asked;
+    std::vector<protocol::AskAnswered> answered;
+    std::optional<protocol::PlaceKept> placeKept;
+    std::optional<protocol::Scenarios> scenarios;
     std::vector<protocol::TakeState> takes;
     protocol::EditHistory history;  ///< The newest.
     std::optional<protocol::TakePath> path;

@@ -85,12 +85,20 @@ TEST_CASE("Places in obstacles, outside, and beyond a wall are told apart") {
     client.poll();
     REQUIRE(client.places.size() == 1);
     REQUIRE(client.places[0].answers.size() == 2);
-    CHECK(client.places[0].answers[0].unfit == std::vector<std::uint8_t>{0, 1, 2, 1, 1, 0});
+    const auto bar = [&](std::size_t k) {
+        return static_cast<Standing>(client.places[0].answers[0].unfit[k]);
+    };
+    CHECK(bar(0) == Standing::InPlace);
+    CHECK(bar(1) == Standing::Obstacle);
+    CHECK(bar(2) == Standing::NoWay);
+    CHECK(bar(3) == Standing::Outside);
+    CHECK(bar(4) == Standing::Narrow);
+    CHECK(bar(5) == Standing::InPlace);
     CHECK(client.places[0].answers[0].places.size() == 12);
     // A column along the wall of the house: one of its files stands inside, the other outside.
     const auto& column = client.places[0].answers[1].unfit;
-    CHECK(std::count(column.begin(), column.end(), 1) == 8);
-    CHECK(std::count(column.begin(), column.end(), 2) == 0);
+    CHECK(std::count(column.begin(), column.end(), 0) == 8);
+    CHECK(std::count(column.begin(), column.end(), static_cast<std::uint8_t>(Standing::NoWay)) == 0);
 }
 
 TEST_CASE("A formation that cannot be made is answered by its problem, one of nobody is left out") {

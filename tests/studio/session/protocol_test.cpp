@@ -63,6 +63,7 @@ protocol::Frame sampleFrame() {
     group.moved = {2};
     group.offsets = {-40, 300};
     group.unfit = {2};
+    group.standings = {14, 0, 2};
     protocol::ControlFrame& control = group.controls.emplace_back();
     control.kind = protocol::ControlKind::Area;
     control.points.push_back({9, true, 1.0f, 2.0f, {3.0f, 4.0f}});

@@ -15,6 +15,19 @@ export function hasEngine(): boolean {
   return answering !== null;
 }
 
+let own = 0;
+
+/** From now on the server calls us by this number. */
+export function setOwnNumber(client: number): void {
+  own = client;
+}
+
+/** The path of a request by which all see something else: the others are told who it was. */
+export function byUs(path: string): string {
+  if (own === 0) return path;
+  return `${path}${path.includes('?') ? '&' : '?'}by=${own}`;
+}
+
 export function ask(path: string, init: RequestInit = {}): Promise<Response> {
   return answering ? answering(path, init) : fetch(path, init);
 }

@@ -46,24 +46,26 @@ function unpackTurn(packed: Int16Array, from: number, out: Float32Array, to: num
 class GroupUnpacker {
   private readonly offsets_: Float32Array;
   private unfit_: Uint8Array = new Uint8Array(0);
+  private standings_: Uint32Array = new Uint32Array(0);
   private orders_: readonly QueueOrder[] = [];
 
   constructor(private readonly mesh_: GroupMesh) {
     this.offsets_ = new Float32Array(2 * mesh_.placeTriangles.length);
   }
 
-  unpack({ moved, offsets, unfit, queued, orders, ...group }: GroupFrame): StudioGroup {
+  unpack({ moved, offsets, unfit, standings, queued, orders, ...group }: GroupFrame): StudioGroup {
     for (let k = 0; k < moved.length; ++k) {
       const at = 2 * moved[k]!;
       this.offsets_[at] = offsets[2 * k]! / 100;
       this.offsets_[at + 1] = offsets[2 * k + 1]! / 100;
     }
     if (unfit.length > 0) this.unfit_ = unfit;
+    if (standings.length > 0) this.standings_ = standings;
     if (queued) this.orders_ = orders.map(queueOrder);
     const count = this.mesh_.placeTriangles.length;
     const fit = new Uint8Array(count);
     for (let k = 0; k < count; ++k) fit[k] = ((this.unfit_[k >> 3] ?? 0) >> (k & 7)) & 1 ? 0 : 1;
-    return { ...group, orders: this.orders_, places: this.places(group.vertices), fit };
+    return { ...group, standings: this.standings_, orders: this.orders_, places: this.places(group.vertices), fit };
   }
 
   private places(vertices: Float32Array): Float32Array {

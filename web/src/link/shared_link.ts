@@ -1,6 +1,6 @@
 // A place or a take inside a link: compressed, after the `#`, so that no host ever sees it.
 
-import { ask, hasEngine } from './answers';
+import { ask, byUs, hasEngine } from './answers';
 
 export type SharedKind = 'place' | 'take';
 
@@ -56,7 +56,7 @@ export async function sharedIn(fragment: string): Promise<Shared | null> {
 
 /** Opens what a link holds. Throws a sentence where it cannot be opened. */
 export async function openShared({ kind, bytes }: Shared): Promise<void> {
-  const answer = await ask(kind === 'place' ? 'scenario?name=shared' : 'take', { method: 'POST', body: bytes });
+  const answer = await ask(byUs(kind === 'place' ? 'scenario?name=shared' : 'take'), { method: 'POST', body: bytes });
   if (!answer.ok) throw new Error(`The ${kind} in this link could not be opened: ${(await answer.text()).trim()}`);
 }
 

@@ -1,5 +1,6 @@
 // The shelf of takes over HTTP (docs/protocol.md). Every call throws a sentence for the visitor where it fails.
 
+import { byUs } from './answers';
 import { asked } from './asked';
 import type { ShelvedTake, TakeAbout } from '../model/take_facts';
 
@@ -10,6 +11,8 @@ export interface ExportProgress {
   readonly share: number;
   readonly file: string;
   readonly bytes: number;
+  /** Of an estimate. */
+  readonly people?: number;
   readonly problem?: string;
 }
 
@@ -21,6 +24,12 @@ export interface ExportWish {
   readonly to: number;
   readonly fps: number;
   readonly speeds: boolean;
+  /** Ids; left out: all. */
+  readonly groups?: readonly number[];
+  /** First and last number; left out: all. */
+  readonly people?: readonly [number, number];
+  /** Only the size is asked for. */
+  readonly estimate?: boolean;
 }
 
 const jsonOf = (value: unknown): RequestInit => ({
@@ -46,7 +55,7 @@ export class ShelfLink {
   }
 
   async open(name: string): Promise<void> {
-    await asked('The take could not be opened', `takes/${name}/open`, { method: 'POST' });
+    await asked('The take could not be opened', byUs(`takes/${name}/open`), { method: 'POST' });
   }
 
   async edit(name: string, about: TakeAbout): Promise<void> {

@@ -12,6 +12,7 @@ import type {
   Notice,
   Overlay,
   Places,
+  Standings,
   Pong,
   Said,
   Scene,
@@ -22,6 +23,11 @@ import type {
   TakeKept,
   TakePath,
   TakeReady,
+  Ask,
+  AskAnswered,
+  PlaceKept,
+  Scenarios,
+  SharedWorld,
   TakeState,
   Welcome,
 } from '../protocol/messages';
@@ -42,12 +48,18 @@ export interface StudioEvents {
   notice: Notice;
   forecasts: Forecasts;
   places: Places;
+  standings: Standings;
   said: Said;
   marks: Marks;
   studyForm: StudyForm;
   studyState: StudyState;
   directors: Directors;
   takeState: TakeState;
+  sharedWorld: SharedWorld;
+  ask: Ask;
+  askAnswered: AskAnswered;
+  scenarios: Scenarios;
+  placeKept: PlaceKept;
   takeReady: TakeReady;
   takeKept: TakeKept;
   editHistory: EditHistory;
@@ -65,12 +77,18 @@ const kEvents = {
   Notice: 'notice',
   Forecasts: 'forecasts',
   Places: 'places',
+  Standings: 'standings',
   Said: 'said',
   Marks: 'marks',
   StudyForm: 'studyForm',
   StudyState: 'studyState',
   Directors: 'directors',
   TakeState: 'takeState',
+  SharedWorld: 'sharedWorld',
+  Ask: 'ask',
+  AskAnswered: 'askAnswered',
+  Scenarios: 'scenarios',
+  PlaceKept: 'placeKept',
   TakeReady: 'takeReady',
   TakeKept: 'takeKept',
   EditHistory: 'editHistory',

@@ -2,6 +2,7 @@
 
 import { ControlKind } from '../protocol/messages';
 import type { StudioFrame } from './studio_frame';
+import type { HintStep } from './studio_state';
 
 export interface ControlNews {
   /** Index into the frame's groups. */
@@ -15,6 +16,13 @@ export const kKindNames: Record<ControlKind, string> = {
   [ControlKind.Point]: 'Point',
   [ControlKind.Line]: 'Line',
   [ControlKind.Area]: 'Area',
+};
+
+/** What a visitor has tried by such a control. */
+export const kTriedBy: Record<ControlKind, HintStep> = {
+  [ControlKind.Point]: 'point',
+  [ControlKind.Line]: 'line',
+  [ControlKind.Area]: 'area',
 };
 
 export class ControlWatch {

@@ -20,6 +20,8 @@ export interface Invitation {
   readonly links: readonly string[];
   /** Rows of the first link's QR code, "1" for dark. */
   readonly code: readonly string[];
+  /** Address of a site, for links that need no studio; empty where none is known. */
+  readonly site: string;
 }
 
 /** What the panel asks for. */
@@ -28,6 +30,8 @@ export interface DirectorActions {
   /** 0: everything. */
   giveGroup(client: number, group: number): void;
   copyLink(link: string): void;
+  /** The world that somebody has replaced comes back. */
+  goBack(): void;
 }
 
 /** White is read on each of them, and each is seen on the ground, light or dark. */

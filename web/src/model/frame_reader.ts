@@ -5,6 +5,7 @@ import type { StudioFrame } from './studio_frame';
 import { isSameWorld, type SceneFacts } from '../protocol/scene';
 import { withChosen } from './accent';
 import { walksOf } from './objective';
+import { PaceMeter } from './pace_meter';
 import { kStances } from './commands';
 import { countClasses, type ClassCount } from './roles';
 import type { GroupInfo, StudioState, UnitInfo } from './studio_state';
@@ -59,6 +60,7 @@ function chosenAmong(groups: readonly GroupInfo[], state: StudioState): Pick<Stu
 
 export class FrameReader {
   private scene_: SceneFacts | null = null;
+  private readonly pace_ = new PaceMeter();
   private readonly formations_ = new Map<number, string>();
   private counts_: number[] = [];
   private classes_: readonly (readonly ClassCount[])[] = [];
@@ -116,7 +118,14 @@ export class FrameReader {
     return JSON.stringify(units) === JSON.stringify(before) ? before : units;
   }
 
-  change(frame: StudioFrame, state: StudioState): Partial<StudioState> {
+  /** Returns `before` itself where nothing changed. */
+  private standings(frame: StudioFrame, before: StudioState['standings']): StudioState['standings'] {
+    const standings = frame.groups.map((group) => [...group.standings]);
+    return JSON.stringify(standings) === JSON.stringify(before) ? before : standings;
+  }
+
+  /** `now` [ms]. */
+  change(frame: StudioFrame, state: StudioState, now = performance.now()): Partial<StudioState> {
     const groups = this.groups(frame, state.groups);
     return {
       groups,
@@ -131,7 +140,9 @@ export class FrameReader {
       characters: frame.x.length,
       items: this.scene_?.items.length ?? 0,
       collected: sumOf(frame.collected),
+      standings: this.standings(frame, state.standings),
       stepMs: frame.stepMs,
+      pace: this.pace_.observe(frame.time, frame.playing && !frame.replaying, frame.speed, now),
       lag: frame.lagP95,
       swaps: frame.swapsPerSecond,
       walks: walksOf(frame),

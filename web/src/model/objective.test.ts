@@ -19,11 +19,11 @@ describe('objectives', () => {
     const walks = walksOf({ groups });
     expect(walks).toEqual({ sum: 15, squares: 73, longest: 7 });
     expect([0, 1, 2].map((index) => objectiveText(index, walks))).toEqual([
-      'Least sum: 15.0\u2009m',
-      'Least squares: 73.0\u2009m²',
-      'Least longest: 7.00\u2009m',
+      'Least walking: 15.0\u2009m',
+      'Even walks: 73.0\u2009m²',
+      'Nobody far: 7.00\u2009m',
     ]);
-    expect(objectiveText(1, { ...walks, squares: 31204.4 })).toBe('Least squares: 31\u2009204\u2009m²');
+    expect(objectiveText(1, { ...walks, squares: 31204.4 })).toBe('Even walks: 31\u2009204\u2009m²');
   });
 
   it('are the power objective by its exponent, and the longest walk', () => {

@@ -18,9 +18,9 @@ export const kObjectives: readonly {
   readonly unit: string;
   readonly value: (walks: Walks) => number;
 }[] = [
-  { label: 'Least sum', unit: 'm', value: (walks) => walks.sum },
-  { label: 'Least squares', unit: 'm²', value: (walks) => walks.squares },
-  { label: 'Least longest', unit: 'm', value: (walks) => walks.longest },
+  { label: 'Least walking', unit: 'm', value: (walks) => walks.sum },
+  { label: 'Even walks', unit: 'm²', value: (walks) => walks.squares },
+  { label: 'Nobody far', unit: 'm', value: (walks) => walks.longest },
 ];
 
 export function walksOf({ groups }: Pick<StudioFrame, 'groups'>): Walks {
@@ -41,7 +41,7 @@ export function objectiveFigure(index: number, walks: Walks): string {
   return `${figure < 1000 ? formatFigure(figure) : formatCount(figure)}\u2009${unit}`;
 }
 
-/** "Least sum: 812 m". */
+/** "Least walking: 812 m". */
 export function objectiveText(index: number, walks: Walks): string {
   return `${kObjectives[index]!.label}: ${objectiveFigure(index, walks)}`;
 }

@@ -1,6 +1,7 @@
 // How the crowd does, in words that need no explanation.
 
 import { formatCount } from './formatters';
+import { standingSum } from './standing';
 import type { StudioState } from './studio_state';
 
 export interface PlainWords {
@@ -8,38 +9,52 @@ export interface PlainWords {
   readonly does: string;
   /** Empty where there is nothing to collect. */
   readonly items: string;
-  /** Empty where the server keeps up. */
+  /** Who cannot be in their places, and why; empty for nobody. */
+  readonly barred: string;
+  /** Empty where the world goes as fast as it shall. */
   readonly slow: string;
 }
 
-/** Who is so near to its place is in it; so near, nearly [m]. */
-const kInPlace = 0.35;
-const kNearly = 1;
-/** Time that a step stands for [ms]. */
-const kStep = 1000 / 60;
+/** Distances below this are not told [m]. */
+const kNear = 1;
+/** A pace below this share of the wanted one is slow. */
+const kSlow = 0.95;
 
 type PlainState = Pick<
   StudioState,
-  'characters' | 'lag' | 'playing' | 'replaying' | 'stepMs' | 'speed' | 'items' | 'collected' | 'units'
+  'characters' | 'lag' | 'playing' | 'replaying' | 'standings' | 'pace' | 'speed' | 'items' | 'collected' | 'units'
 >;
 
-function doing({ lag, playing, replaying, units }: PlainState): string {
+function doing({ lag, playing, replaying, units, standings }: PlainState): string {
   if (!playing) return 'paused';
   if (replaying) return 'in a replay';
-  const ordered = units.some(({ orders, held }) => orders.length > 0 && !held);
-  if (ordered && lag < kNearly) return 'walking as ordered';
-  if (!Number.isFinite(lag) || lag < kInPlace) return 'all in their places';
-  if (lag < kNearly) return 'nearly in their places';
-  return `on the way, ${lag < 9.95 ? lag.toFixed(1) : Math.round(lag)} m to go`;
+  const { all, there, walk, held } = standingSum(standings);
+  if (all === 0) return '';
+  if (there === all) return 'all in their places';
+  if (walk > 0) {
+    const ordered = walk === all && units.some(({ orders, held: waits }) => orders.length > 0 && !waits);
+    const far = lag < kNear ? '' : `, ${lag < 9.95 ? lag.toFixed(1) : Math.round(lag)} m to go`;
+    if (ordered && far === '') return 'walking as ordered';
+    return walk === all ? `on the way${far}` : `${formatCount(walk)} on the way${far}`;
+  }
+  if (held === all) return 'waiting';
+  return there === 0 ? 'nobody in place' : `${formatCount(there)} in their places`;
+}
+
+function slowness({ pace, speed }: PlainState): string {
+  if (!(pace < kSlow * speed)) return '';
+  return speed === 1
+    ? `slowed to ${Math.max(1, Math.round(100 * pace))} % of real time`
+    : `slowed to ${pace.toFixed(1)}×`;
 }
 
 export function plainWords(state: PlainState): PlainWords {
-  const { characters, items, collected, stepMs, speed } = state;
-  const share = kStep / Math.max(stepMs * speed, 1e-9);
+  const { characters, items, collected, standings } = state;
   return {
     people: characters === 1 ? '1 person' : `${formatCount(characters)} people`,
     does: characters === 0 ? '' : doing(state),
     items: items > 0 ? `${collected} of ${items} collected` : '',
-    slow: characters > 0 && share < 0.95 ? `at ${Math.max(1, Math.round(100 * share))} % of its speed` : '',
+    barred: standingSum(standings).barred,
+    slow: characters > 0 ? slowness(state) : '',
   };
 }

@@ -9,7 +9,7 @@ export interface ScenarioGroup {
 }
 
 /** Folders that ship have titles; others are called by their name. */
-const kTitles: Readonly<Record<string, string>> = { paper: 'The paper’s experiments' };
+const kTitles: Readonly<Record<string, string>> = { paper: 'The paper’s experiments', places: 'Kept here' };
 
 /** In the order of the list. */
 export function groupScenarios(scenarios: readonly ScenarioInfo[]): ScenarioGroup[] {

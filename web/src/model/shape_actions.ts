@@ -32,8 +32,14 @@ export interface ShapeActions {
   toggleDraw(): void;
   /** The tool is in hand while a key or a button is held. A short press takes it, or puts it away, unless it was lost. */
   holdDraw(held: boolean, lost?: boolean): void;
-  /** Words as a shape: places in any unit about their middle, y up, the least gap between two of them. */
-  words(places: readonly GroundPoint[], gap: number): OwnShape;
+  /** Places as a shape that lies before the visitor as they do: x to the right, y up, about their middle [m]. */
+  asSeen(places: readonly GroundPoint[], spacing: number): OwnShape;
+  /** A shape as the visitor sees it: x to the right, y up [m]. */
+  seen(shape: OwnShape): GroundPoint[];
+  /** Its left and right change, as the visitor sees them. */
+  mirrored(shape: OwnShape): OwnShape;
+  /** The active group gets more people, or fewer. */
+  setPeople(count: number): void;
   /** The formation of the active group as it would stand undisturbed; null where there is none. */
   shape(): OwnShape | null;
   /** Opens the dialog with a picture, which shall become a formation. */

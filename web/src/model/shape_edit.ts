@@ -17,9 +17,10 @@ const kCells = 5;
 /** Places take up a disc of this radius then, in spacings. */
 const kDisc = 0.6;
 
-/** Left and right change. */
-export function mirrored({ spacing, places }: OwnShape): OwnShape {
-  return { spacing, places: places.map(({ x, y }) => ({ x, y: -y })) };
+/** The two sides of an axis change; its direction from x [rad]. */
+export function mirrored({ spacing, places }: OwnShape, axis = 0): OwnShape {
+  const [c, s] = [Math.cos(2 * axis), Math.sin(2 * axis)];
+  return { spacing, places: places.map(({ x, y }) => ({ x: c * x + s * y, y: s * x - c * y })) };
 }
 
 /** Turned to the left [rad]. */

@@ -5,9 +5,10 @@ import { standOf, unfitWords } from './stand';
 it('counts places that cannot be reached, in all groups together', () => {
   const of = (...unfit: number[]): Uint8Array => Uint8Array.from(unfit);
   expect(unfitWords([])).toEqual({ text: '', warns: false });
-  expect(unfitWords([of(0)])).toEqual({ text: 'The place can be reached', warns: false });
-  expect(unfitWords([of(0, 0), of(0)])).toEqual({ text: 'All 3 places can be reached', warns: false });
-  expect(unfitWords([of(0, 1), of(2, 0, 0)])).toEqual({ text: '2 of 5 places cannot be reached', warns: true });
+  expect(unfitWords([of(0)])).toEqual({ text: 'The spot can be reached', warns: false });
+  expect(unfitWords([of(0, 0), of(0)])).toEqual({ text: 'All 3 spots can be reached', warns: false });
+  expect(unfitWords([of(0, 5), of(7, 0, 0)])).toEqual({ text: '2 of 5 spots cannot be reached', warns: true });
+  expect(unfitWords([of(0, 4), of(4, 0)])).toEqual({ text: '2 of 4 spots lie outside the ground', warns: true });
 });
 
 it('has the front ahead of the places, from left to right', () => {

@@ -1,11 +1,8 @@
 // How a group would stand: every place on the real ground, and which of them nobody can get to.
 
-import type { PlacesFrame } from '../protocol/messages';
+import { Standing, type PlacesFrame } from '../protocol/messages';
 import { frontLine, outlineOf, placed } from './group_shapes';
 import { pointsOf, type GroundPoint } from './plane';
-
-/** What keeps somebody from a place, as a PlacesFrame says it. */
-export const kPlaceBars = { none: 0, obstacle: 1, cutOff: 2 } as const;
 
 /** A place and heading of a formation. */
 export interface StandPose extends GroundPoint {
@@ -41,19 +38,32 @@ export function standOf({ places, unfit }: PlacesFrame, index: number, { x, y, f
   return { index, places: points, outline: outlineOf(points), front: [left!, right!], unfit };
 }
 
-/** How many places cannot be reached. */
-export function unfitCount(unfit: ArrayLike<number>): number {
+function countOf(unfit: ArrayLike<number>, counts: (bar: number) => boolean): number {
   let count = 0;
-  for (let i = 0; i < unfit.length; ++i) if (unfit[i] !== kPlaceBars.none) count += 1;
+  for (let i = 0; i < unfit.length; ++i) if (counts(unfit[i]!)) count += 1;
   return count;
 }
 
-/** "7 of 60 places cannot be reached"; in all groups together. */
+/** How many spots cannot be reached. */
+export function unfitCount(unfit: ArrayLike<number>): number {
+  return countOf(unfit, (bar) => bar !== Standing.InPlace);
+}
+
+/** Where spots lie that cannot be reached, if all lie there. */
+const kWhere: readonly (readonly [Standing, string])[] = [
+  [Standing.Outside, 'lie outside the ground'],
+  [Standing.Obstacle, 'lie in obstacles'],
+];
+
+/** "7 of 60 spots lie outside the ground"; in all groups together. */
 export function unfitWords(unfits: readonly ArrayLike<number>[]): StandWords {
   const all = unfits.reduce((sum, unfit) => sum + unfit.length, 0);
-  const bad = unfits.reduce((sum, unfit) => sum + unfitCount(unfit), 0);
+  const sumOf = (counts: (bar: number) => boolean): number =>
+    unfits.reduce((sum, unfit) => sum + countOf(unfit, counts), 0);
+  const bad = sumOf((bar) => bar !== Standing.InPlace);
   if (all === 0) return { text: '', warns: false };
   if (bad === 0)
-    return { text: all === 1 ? 'The place can be reached' : `All ${all} places can be reached`, warns: false };
-  return { text: `${bad} of ${all} places cannot be reached`, warns: true };
+    return { text: all === 1 ? 'The spot can be reached' : `All ${all} spots can be reached`, warns: false };
+  const where = kWhere.find(([standing]) => sumOf((bar) => bar === standing) === bad);
+  return { text: `${bad} of ${all} spots ${where?.[1] ?? 'cannot be reached'}`, warns: true };
 }

@@ -54,6 +54,8 @@ export interface StudioActions {
   dismissNotice(): void;
   /** Brings the spot that the message is about into view. */
   showNoticePlace(): void;
+  /** Shows who cannot be in their places. */
+  showBarred(): void;
   retry(): void;
   /** The engine in this browser goes on with the world of a lost server. */
   goOnAlone(): void;

@@ -17,7 +17,9 @@ import type { LinkState } from './link_state';
 import type { ConductFacts, OrderStyle } from './commands';
 import type { ClassCount } from './roles';
 import type { StandWords } from './stand';
+import type { AskedWish, Consent } from './consent';
 import type { DirectorInfo, Invitation } from './directors';
+import { kNothingShared, type SharedFacts } from './shared_news';
 
 export type InputKind = 'touch' | 'mouse';
 
@@ -28,7 +30,7 @@ export type ToolName = 'steer' | 'order' | 'cut' | 'follow' | 'guard' | 'leave' 
 /** What the dialog of places shows. */
 export type PlacesView = 'none' | 'shelf' | 'new' | 'import' | 'save';
 
-export type DialogName = 'none' | 'text' | 'shape' | 'group';
+export type DialogName = 'none' | 'text' | 'shape' | 'qr' | 'group';
 
 /** What the hint of the first visit tells of. */
 export const kHintSteps = ['point', 'line', 'area', 'camera'] as const;
@@ -98,6 +100,8 @@ export interface StudioState {
   readonly link: LinkState;
   /** Whether a scene was ever seen. */
   readonly loaded: boolean;
+  /** Of a body, as the world has it [m]. */
+  readonly bodyRadius: number;
   readonly scenarios: readonly ScenarioInfo[];
   readonly scenario: string;
   readonly title: string;
@@ -146,7 +150,11 @@ export interface StudioState {
   /** Things to collect, and how many are gone. */
   readonly items: number;
   readonly collected: number;
+  /** How people stand, by groups; parallel to `groups`. */
+  readonly standings: readonly (readonly number[])[];
   readonly stepMs: number;
+  /** Seconds of the world per second; NaN where that is not known. */
+  readonly pace: number;
   readonly lag: number;
   readonly swaps: number;
   readonly walks: Walks;
@@ -169,6 +177,12 @@ export interface StudioState {
   /** Everybody who is connected. */
   readonly directors: readonly DirectorInfo[];
   readonly invitation: Invitation;
+  /** What directors have done with the world that all share. */
+  readonly shared: SharedFacts;
+  /** What another director would like; null for nothing. */
+  readonly asked: AskedWish | null;
+  /** What this director would like, where others are to be asked; null for nothing. */
+  readonly consent: Consent | null;
   readonly notice: Notice | null;
   readonly hint: boolean;
   /** What the hint tells of and the visitor has done, in its order. */
@@ -203,6 +217,7 @@ export const kInitialState: StudioState = {
   input: 'mouse',
   link: { phase: 'connecting' },
   loaded: false,
+  bodyRadius: 0.25,
   scenarios: [],
   scenario: '',
   title: '',
@@ -236,7 +251,9 @@ export const kInitialState: StudioState = {
   characters: 0,
   items: 0,
   collected: 0,
+  standings: [],
   stepMs: 0,
+  pace: NaN,
   lag: 0,
   swaps: 0,
   walks: { sum: 0, squares: 0, longest: 0 },
@@ -250,7 +267,10 @@ export const kInitialState: StudioState = {
   clean: false,
   arrows: [],
   directors: [],
-  invitation: { links: [], code: [] },
+  invitation: { links: [], code: [], site: '' },
+  shared: kNothingShared,
+  asked: null,
+  consent: null,
   notice: null,
   hint: false,
   tried: [],

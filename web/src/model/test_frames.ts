@@ -102,7 +102,9 @@ interface QuietOrders {
   readonly returns: ReadonlyMap<number, GroundPoint[]>;
   readonly picked: number;
   readonly cut: null;
+  readonly cursor: null;
   readonly scheme: null;
+  readonly barred: readonly never[];
 }
 
 /** The same where nobody has done anything yet. */
@@ -118,8 +120,10 @@ export function quietOrders(): QuietOrders {
     ways: new Map<number, GroundPoint[]>(),
     returns: new Map<number, GroundPoint[]>(),
     picked: 0,
+    cursor: null,
     cut: null,
     scheme: null,
+    barred: [],
   };
 }
 

@@ -39,6 +39,8 @@ function shifted(points: readonly Vec2[], centre: Vec2): Vec2[] {
   return points.map((p) => [p[0] - centre[0], p[1] - centre[1]] as const);
 }
 
+const kNobody: Standing = { someoneNear: () => false };
+
 export class EnvironmentLayer {
   readonly group = new Group();
   private readonly body_: MeshLambertMaterial;
@@ -54,6 +56,7 @@ export class EnvironmentLayer {
   private itemCount_ = 0;
   private collectedKey_ = '';
   private scene_: SceneFacts | null = null;
+  private solidAlways_ = false;
   private size_ = { width: 1, height: 1, ratio: 1 };
 
   constructor(shade: ShadeUniforms) {
@@ -113,8 +116,15 @@ export class EnvironmentLayer {
     return this.buildings_.solid;
   }
 
+  /** Nothing turns transparent, from now on. */
+  set solidAlways(on: boolean) {
+    this.solidAlways_ = on;
+    if (on) for (const layer of [this.trees_, this.buildings_]) layer.solidify();
+  }
+
   /** Makes crowns and buildings transparent that hide characters; true while they change. */
-  reveal(people: Standing, camera: CameraController): boolean {
+  reveal(crowd: Standing, camera: CameraController): boolean {
+    const people = this.solidAlways_ ? kNobody : crowd;
     const trees = this.trees_.reveal(people, camera);
     return this.buildings_.reveal(people, camera) || trees;
   }
@@ -193,7 +203,7 @@ export class EnvironmentLayer {
       else edges.push(...addObstacle(builder, obstacle, palette));
       ends.push(builder.triangleCount);
     }
-    this.buildings_.build(builder, still, ends);
+    this.buildings_.build(builder, still, ends, palette.thinGlow);
     this.group.add(this.buildings_.group);
     const lines = outerEdges(edges).map((line) => ({ line, colour: palette.obstacleEdge, alpha: 0.8 }));
     this.addLines(this.group, lines, 1, 0);

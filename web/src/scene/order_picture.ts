@@ -6,7 +6,9 @@ import type { GroupView, ShapeMeshView } from '../model/frame_view';
 import type { GroundPoint } from '../model/plane';
 import type { BodyBuildWord } from '../protocol/generated/words';
 import type { SceneGroup } from '../protocol/messages';
+import { barredPicture, type BarredPerson } from './marks/barred_marks';
 import type { DrawnCut, DrawnForecast, DrawnOrder, OrderScene } from './marks/order_marks';
+import { saidOf } from './marks/stand_marks';
 import { schemePicture, type CrowdPlaces, type SchemeView } from './marks/scheme_marks';
 
 type Ways = ReadonlyMap<number, readonly GroundPoint[]>;
@@ -23,6 +25,8 @@ export class OrderPicture {
   private picked_ = 0;
   private cut_: DrawnCut | null = null;
   private scheme_: SchemeView | null = null;
+  private cursor_: GroundPoint | null = null;
+  private barred_: readonly BarredPerson[] = [];
   private groups_: readonly GroupView[] = [];
   private colours_: readonly number[] = [];
   private builds_: readonly (BodyBuildWord | null)[] = [];
@@ -46,6 +50,7 @@ export class OrderPicture {
   clear(): void {
     this.shapes_.clear();
     this.groups_ = [];
+    this.barred_ = [];
   }
 
   setMesh(mesh: ShapeMeshView): void {
@@ -96,9 +101,25 @@ export class OrderPicture {
     this.changed_();
   }
 
+  /** The cursor of the keys; null while it is away. */
+  get cursor(): GroundPoint | null {
+    return this.cursor_;
+  }
+
+  set cursor(at: GroundPoint | null) {
+    this.cursor_ = at;
+    this.changed_();
+  }
+
   /** What a control scheme shows; null for nothing. */
   setScheme(scheme: SchemeView | null): void {
     this.scheme_ = scheme;
+    this.changed_();
+  }
+
+  /** Marks people who cannot be in their places, and these places. */
+  setBarred(people: readonly BarredPerson[]): void {
+    this.barred_ = people;
     this.changed_();
   }
 
@@ -110,6 +131,11 @@ export class OrderPicture {
     if (colours.join() === this.colours_.join() && builds.join() === this.builds_.join()) return false;
     [this.colours_, this.builds_] = [colours, builds];
     return true;
+  }
+
+  /** What would come of the order that is being drawn, in words. */
+  get words(): string {
+    return saidOf(this.forecasts_, this.drawn_?.note?.text);
   }
 
   /** For the marks. */
@@ -125,6 +151,8 @@ export class OrderPicture {
       returns: this.returns_,
       picked: this.picked_,
       cut: this.cut_,
+      cursor: this.cursor_,
+      barred: barredPicture(this.barred_, this.crowd_),
       scheme: this.scheme_ && schemePicture(this.scheme_, this.crowd_),
     };
   }

@@ -1,6 +1,6 @@
 // The three.js side of the view: renderer, light, and the layers that fill the scene.
 
-import { Color, PCFSoftShadowMap, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
+import { Color, Group, PCFSoftShadowMap, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
 import type { SceneryModel } from '../model/place_files/scenery';
 import type { SceneBox } from '../protocol/messages';
 import type { SceneFacts } from '../protocol/scene';
@@ -16,6 +16,7 @@ import { PlainGroundLayer } from './ground/plain_ground_layer';
 import type { Quality } from './drawing/quality';
 import type { ShadeUniforms } from './drawing/shade';
 import { Sun } from './drawing/sun';
+import type { Backdrop } from './studio_scene';
 import type { ViewStats } from './picture_stats';
 import { EnvironmentLayer } from './environment_layer';
 import { SceneryLayer } from './scenery/scenery_layer';
@@ -41,6 +42,10 @@ export class Stage {
   private readonly sun_: Sun;
   private readonly renderer_: WebGLRenderer;
   private readonly scene_ = new Scene();
+  /** All but people and light. */
+  private readonly around_ = new Group();
+  private backdrop_: Backdrop | null = null;
+  private outside_ = new Color();
   private readonly eye_ = new PerspectiveCamera(24, 1, 1, 1000);
   private readonly shade_: ShadeUniforms = {
     uShadowKeeps: { value: 0.7 },
@@ -78,16 +83,15 @@ export class Stage {
     this.environment = new EnvironmentLayer(this.shade_);
     this.scenery_ = new SceneryLayer(this.shade_);
     this.eye_.up.set(0, 0, 1);
-    this.scene_.add(
+    this.around_.add(
       this.ground_.mesh,
-      this.sun_.group,
       this.environment.group,
       this.scenery_.group,
-      this.crowd.group,
       this.meshes.group,
       this.places.mesh,
     );
-    if (this.plain_) this.scene_.add(this.plain_.group);
+    if (this.plain_) this.around_.add(this.plain_.group);
+    this.scene_.add(this.sun_.group, this.around_, this.crowd.group);
   }
 
   /** Device px per CSS px now. */
@@ -113,7 +117,24 @@ export class Stage {
     this.sun_.setPalette(palette);
     this.shade_.uShadowKeeps.value = palette.shadowKeeps;
     this.shade_.uHatch.value.set(palette.roofHatch);
-    this.scene_.background = new Color(palette.groundOutside);
+    this.outside_ = new Color(palette.groundOutside);
+    this.showBackdrop();
+  }
+
+  /** Puts something behind the crowd; null takes it away. */
+  setBackdrop(backdrop: Backdrop | null): void {
+    for (const object of this.backdrop_?.objects ?? []) this.scene_.remove(object);
+    this.backdrop_?.dispose();
+    this.backdrop_ = backdrop;
+    for (const object of backdrop?.objects ?? []) this.scene_.add(object);
+    this.environment.solidAlways = backdrop !== null;
+    this.showBackdrop();
+  }
+
+  private showBackdrop(): void {
+    this.scene_.background = this.backdrop_?.colour ?? this.outside_;
+    this.around_.visible = !this.backdrop_?.peopleOnly;
+    this.crowd.setShadows(this.backdrop_?.shadows ?? true);
   }
 
   setScene(scene: SceneFacts, palette: Palette): void {

@@ -1,5 +1,6 @@
 // What tools and panels know of the view.
 
+import type { Color, Object3D } from 'three';
 import type { ViewStats } from './picture_stats';
 import type { Layers, Theme } from '../model/view_settings';
 import type { Body } from './crowd/bodies/body';
@@ -20,6 +21,18 @@ export interface Attention {
   readonly y: number;
   /** How many of the nearest, at most. */
   readonly count: number;
+}
+
+/** What stands behind the crowd instead of the studio's plain ground; all that is solid stays so. */
+export interface Backdrop {
+  readonly objects: readonly Object3D[];
+  /** null: as the theme has it. */
+  readonly colour: Color | null;
+  /** Ground, environment and marks are left out. */
+  readonly peopleOnly: boolean;
+  /** People have shadows. */
+  readonly shadows: boolean;
+  dispose(): void;
 }
 
 /** The view as tools and panels use it. */
@@ -45,7 +58,8 @@ export interface StudioScene {
   pushFrame(frame: FrameView, receivedAt: number): void;
   /** Shows one field over the ground and greys all else; null takes it away. */
   setOverlay(overlay: OverlayView | null): void;
-  setLayers(layers: Layers): void;
+  /** Shows marks of these kinds, and puts something behind the crowd. */
+  setLayers(layers: Layers, backdrop?: Backdrop | null): void;
   setTheme(theme: Theme): void;
   setReducedMotion(reduced: boolean): void;
   /** Greys the scene while the server is lost. */

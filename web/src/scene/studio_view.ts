@@ -24,7 +24,7 @@ import { chooseQuality, rendererName } from './drawing/quality';
 import { areasOf, chipTags, overlayTags, patchTags, type TagScene } from './marks/scene_tags';
 import { Stage } from './stage';
 import { PictureStats } from './picture_stats';
-import type { Attention, StudioScene } from './studio_scene';
+import type { Attention, Backdrop, StudioScene } from './studio_scene';
 import { TagLayer } from './marks/tag_layer';
 import type { GroundPoint, ScreenPoint } from '../model/plane';
 import type { DraftControl } from './marks/draft_control';
@@ -178,8 +178,9 @@ export class StudioView implements StudioScene {
     this.wake();
   }
 
-  setLayers(layers: Layers): void {
+  setLayers(layers: Layers, backdrop: Backdrop | null = null): void {
     this.layers_ = layers;
+    this.stage_.setBackdrop(backdrop);
     this.wake();
   }
 
@@ -194,8 +195,7 @@ export class StudioView implements StudioScene {
   }
 
   setReducedMotion(reduced: boolean): void {
-    this.reduced_ = reduced;
-    this.marks_.reducedMotion = reduced;
+    this.reduced_ = this.marks_.reducedMotion = reduced;
   }
 
   setLost(lost: boolean): void {

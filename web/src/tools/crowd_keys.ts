@@ -4,7 +4,8 @@ import type { StudioFrame } from '../model/studio_frame';
 import type { HandMoves } from '../scene/camera/camera_controls';
 import { pointsOf, type GroundPoint, type ScreenPoint } from '../model/plane';
 import type { VirtualControls, OwnControl } from './virtual_controls';
-import { KeyboardSteering, type ArrowKey, type GroundAxes } from './keyboard_steering';
+import { groundAxes } from './ground_axes';
+import { KeyboardSteering, type ArrowKey } from './keyboard_steering';
 import type { ToolChooser } from './tool_chooser';
 import { pageClock } from '../model/page_clock';
 
@@ -17,18 +18,6 @@ export type PointerFacts = Pick<PointerEvent, 'type' | 'pointerType' | 'buttons'
 
 const kPanPx = 60;
 const kPanFarPx = 240;
-
-/** Right and up on the ground, as the camera looks; the world's axes where the middle shows no ground. */
-export function groundAxes(toGround: (at: ScreenPoint) => GroundPoint | null, middle: ScreenPoint): GroundAxes {
-  const from = toGround(middle);
-  const towards = (x: number, y: number): GroundPoint | null => {
-    const to = toGround({ x: middle.x + x, y: middle.y + y });
-    if (!from || !to) return null;
-    const length = Math.hypot(to.x - from.x, to.y - from.y);
-    return length > 0 ? { x: (to.x - from.x) / length, y: (to.y - from.y) / length } : null;
-  };
-  return { right: towards(20, 0) ?? { x: 1, y: 0 }, up: towards(0, -20) ?? { x: 0, y: 1 } };
-}
 
 export class CrowdKeys {
   private readonly steering_: KeyboardSteering;

@@ -28,6 +28,7 @@ function square(group: number, x: number, version = 1): { mesh: GroupMesh; frame
       vertices: new Float32Array([x, 0, x + 4, 0, x + 4, 4, x, 4]),
       places: new Float32Array(),
       fit: new Uint8Array(),
+      standings: new Uint32Array(),
       controls: [],
       ...kIdle,
       orders: [],

@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import { TouchPhase } from '../protocol/messages';
-import { groundAxes } from './crowd_keys';
+import { groundAxes } from './ground_axes';
 import { VirtualControls } from './virtual_controls';
 import { KeyboardSteering, innerCorners } from './keyboard_steering';
 import { FakeClient } from './test_support';

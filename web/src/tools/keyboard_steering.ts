@@ -8,8 +8,8 @@ import { lassoCorners } from './lasso';
 /** Corners of the grabbed area, from the middle towards the hull. */
 const kShare = 0.6;
 /** Per key press [m]. */
-const kStep = 0.5;
-const kLongStep = 2;
+export const kStep = 0.5;
+export const kLongStep = 2;
 
 export type ArrowKey = 'ArrowUp' | 'ArrowDown' | 'ArrowLeft' | 'ArrowRight';
 

@@ -18,7 +18,7 @@ async function tap(studio, locator) {
 async function atRest(studio) {
   let last = -1;
   await studio.eventually(async () => {
-    const at = await studio.page.evaluate(() => document.querySelector('.scenario-list').scrollTop);
+    const at = await studio.page.evaluate(() => document.querySelector('.scenario-scroll').scrollTop);
     const still = at === last;
     last = at;
     expect(still, 'the list comes to rest');
@@ -27,7 +27,7 @@ async function atRest(studio) {
 
 /** Drags the list up until the item stands inside it, above the ways to one's own places. */
 async function scrollTo(studio, item) {
-  const list = await studio.page.locator('.scenario-list').boundingBox();
+  const list = await studio.page.locator('.scenario-scroll').boundingBox();
   for (let i = 0; i < 12; ++i) {
     const box = await item.boundingBox();
     const places = await studio.page.locator('.scenario-places').boundingBox();

@@ -103,3 +103,88 @@ export async function invitation(studio) {
   await expectInside(studio, '.directors-panel');
   await studio.shot('invitation');
 }
+
+const playing = (studio, wanted) =>
+  studio.until('the world to ' + (wanted ? 'play' : 'wait'), (on) => globalThis.__muster.state.playing === on, wanted);
+const banner = (studio, text) => studio.page.locator('.shared-banner', { hasText: text });
+const press = (studio, name) => studio.page.getByRole('button', { name, exact: true }).click();
+
+async function named(page, name) {
+  await page.send({ type: 'SetName', name });
+}
+
+/** Who pauses and who builds is named to the other, who can play; after building the world goes on. */
+export async function sharedClock(studio) {
+  const ada = await second(studio);
+  try {
+    await named(ada, 'Ada');
+    await studio.page.locator('.directors-button').waitFor();
+    await ada.send({ type: 'Playback', action: 1 });
+    await banner(studio, 'Ada paused.').waitFor();
+    expect(!(await banner(ada, 'paused').isVisible()), 'who paused is not told');
+    await expectInside(studio, '.shared-banner');
+    await studio.shot('shared-paused');
+    await banner(studio, 'Ada paused.').locator('button', { hasText: 'Play' }).click();
+    await playing(ada, true);
+    await ada.page.keyboard.press('Shift+E');
+    await banner(studio, 'Ada is building; the world waits.').waitFor();
+    await studio.shot('shared-building');
+    await playing(studio, false);
+    await ada.page.keyboard.press('Shift+E');
+    await playing(studio, true);
+    await banner(studio, 'building').waitFor({ state: 'hidden' });
+  } finally {
+    await ada.close();
+  }
+}
+
+/** Who would change the place asks the other; both can go back to the place as it was. */
+export async function sharedPlace(studio) {
+  const ada = await second(studio);
+  try {
+    await named(ada, 'Ada');
+    await studio.page.locator('.directors-button').waitFor();
+    await ada.until('the other', () => globalThis.__muster.state.directors.length === 2);
+    const { title, scenario } = await studio.page.evaluate(() => globalThis.__muster.state);
+    await studio.until('a second', () => globalThis.__muster.frame.step > 60);
+    const wish = async () => {
+      await ada.page.locator('.scenario-button').click();
+      await ada.page.locator('.scenario-item', { hasText: 'Open square' }).first().click();
+      await ada.page.locator('.consent').waitFor();
+    };
+    await wish();
+    expect(
+      /directing here.*Change the place for all\?/.test(await ada.page.locator('.consent h2').textContent()),
+      'it asks',
+    );
+    await ada.shot('shared-consent');
+    await press(ada, 'Ask them');
+    await banner(studio, 'Ada would like to open Open square.').waitFor();
+    await studio.shot('shared-asked');
+    await expectInside(studio, '.shared-banner');
+    await press(studio, 'Not now');
+    await ada.page.locator('.consent h2', { hasText: 'would rather not now' }).waitFor();
+    await press(ada, 'Cancel');
+    expect((await studio.page.evaluate(() => globalThis.__muster.state.scenario)) === scenario, 'nothing changed');
+    await wish();
+    await press(ada, 'Ask them');
+    await banner(studio, 'Ada would like to').waitFor();
+    await press(studio, 'Allow');
+    await banner(studio, 'Ada opened Open square.').waitFor();
+    await studio.shot('shared-changed');
+    const step = (await studio.frame()).step;
+    await press(studio, `Back to ${title}`);
+    await studio.until('the place', (name) => globalThis.__muster.state.scenario === name, scenario);
+    expect(step < 60 && (await studio.frame()).step > 60, 'it goes on where it was');
+    await banner(ada, `went back to ${title}.`).waitFor();
+    await wish();
+    await press(ada, 'Change for all');
+    await banner(studio, 'Ada opened Open square.').waitFor();
+    await banner(ada, 'Open square is open for all.')
+      .locator('button', { hasText: `Back to ${title}` })
+      .click();
+    await studio.until('the place', (name) => globalThis.__muster.state.scenario === name, scenario);
+  } finally {
+    await ada.close();
+  }
+}

@@ -54,7 +54,7 @@ export async function lookByMouse(studio) {
   await page.mouse.move(column.x, column.y);
   const seen = await shownToBe(studio, 'a column with places in the granary', ({ bad }) => bad > 5);
   expect(seen.places.length === 36, 'everybody has a place');
-  expect(/^\d+ of 36 places cannot be reached$/.test(seen.note), `it says so: ${seen.note}`);
+  expect(/^\d+ of 36 spots (cannot be reached|lie in obstacles)$/.test(seen.note), `it says so: ${seen.note}`);
   expect(seen.note.startsWith(`${seen.bad} of`), 'words and crosses agree');
   const outside = seen.badPlaces.filter((place) => !inGranary(place));
   expect(outside.length === 0, `only places in the granary are crossed: ${JSON.stringify(outside)}`);
@@ -117,7 +117,7 @@ export async function frontOverGranary(studio) {
     'a front with crosses in the granary alone',
     ({ bad, badPlaces }) => bad > 3 && badPlaces.every(inGranary),
   );
-  expect(/\d+ of 36 places cannot be reached/.test(seen.note), `it says so: ${seen.note}`);
+  expect(/\d+ of 36 spots (cannot be reached|lie in obstacles)/.test(seen.note), `it says so: ${seen.note}`);
   await studio.pictures(2);
   await studio.shot('forms-front');
   await mouse.up({ button: 'right' });
@@ -136,13 +136,13 @@ export async function tryOnTheGround(studio) {
   for (let i = 0; i < 10; ++i) await dialog.locator('button', { hasText: 'Looser' }).click();
   await studio.eventually(async () =>
     expect(
-      /\d+ of 36 places cannot be reached/.test(await dialog.locator('.shape-ground').textContent()),
+      /\d+ of 36 spots (cannot be reached|lie in obstacles)/.test(await dialog.locator('.shape-ground').textContent()),
       'the dialog says how many cannot be reached',
     ),
   );
   await studio.shot('forms-dialog');
   await serious(studio, 'dialog with words of the ground');
-  await dialog.locator('button', { hasText: 'Look on the ground' }).click();
+  await dialog.locator('button', { hasText: 'Try on the ground' }).click();
   await bar.waitFor();
   const seen = await shownToBe(studio, 'the formation on the ground', ({ bad }) => bad > 0);
   expect((await bar.locator('.try-words').textContent()) === seen.stand, 'the bar says the same');
@@ -153,14 +153,14 @@ export async function tryOnTheGround(studio) {
   await bar.locator('button', { hasText: 'Change…' }).click();
   await dialog.waitFor();
   for (let i = 0; i < 8; ++i) await dialog.locator('button', { hasText: 'Closer' }).click();
-  await dialog.locator('button', { hasText: 'Look on the ground' }).click();
+  await dialog.locator('button', { hasText: 'Try on the ground' }).click();
   await shownToBe(studio, 'fewer crosses than before', ({ bad, stand }) => bad < seen.bad && stand !== '');
-  await bar.locator('button', { hasText: 'Take up' }).click();
+  await bar.locator('button', { hasText: 'Use it' }).click();
   await studio.until('the formation', () => globalThis.__muster.state.groups[0].formation === 'points');
   await shownToBe(studio, 'nothing', ({ places }) => places.length === 0);
   expect(await bar.isHidden(), 'the bar is gone');
   await more.click();
-  await dialog.locator('button', { hasText: 'Look on the ground' }).click();
+  await dialog.locator('button', { hasText: 'Try on the ground' }).click();
   await bar.waitFor();
   await page.keyboard.press('Escape');
   await shownToBe(studio, 'nothing', ({ places }) => places.length === 0);
@@ -258,7 +258,7 @@ async function sequence(studio, press) {
   const panel = page.locator('.sequence');
   await pausedOrder(studio, -11, 9);
   await studio.tab('orders');
-  await press(page.locator('.queue-act[aria-label="Formations"]'));
+  await press(page.locator('.queue-act[aria-label="On the way"]'));
   await panel.waitFor();
   await press(panel.locator('button', { hasText: 'Add' }));
   await queueToBe(studio, 'a joint half way', /^-11,[45] - \| -11,9 line$/);

@@ -2,23 +2,47 @@
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { expect } from '../support/expect.mjs';
+import { Reach, kTogether, steering, watching } from './reach.mjs';
 
 const axeSource = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
-export async function serious(studio, state) {
+/** What axe finds by WCAG 2.2 AA and by best practices, each with the first elements. */
+async function violations(studio) {
   if (!(await studio.page.evaluate(() => 'axe' in globalThis))) await studio.page.evaluate(axeSource);
-  const { violations } = await studio.page.evaluate(() =>
-    globalThis.axe.run(document, { resultTypes: ['violations'] }),
-  );
-  const bad = violations.filter((one) => one.impact === 'serious' || one.impact === 'critical');
-  const told = bad.map(
-    (one) =>
-      `${one.id}: ${one.nodes
-        .map((node) => node.target.join(' '))
-        .slice(0, 3)
-        .join(', ')}`,
-  );
-  expect(bad.length === 0, `axe finds in the ${state}: ${told.join('; ')}`);
+  return studio.page.evaluate(async () => {
+    const tags = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'];
+    const found = await globalThis.axe.run(document, { resultTypes: ['violations'], runOnly: tags });
+    return found.violations.map(({ id, nodes }) => {
+      const first = nodes.slice(0, 3).map(({ target, any }) => `${target.join(' ')} (${any[0]?.message ?? ''})`);
+      return `${id}: ${first.join(', ')}`;
+    });
+  });
+}
+
+export async function serious(studio, state) {
+  const bad = await violations(studio);
+  expect(bad.length === 0, `axe finds in the ${state}: ${bad.join('; ')}`);
+}
+
+/** Every panel, menu and dialog, as axe sees it in light and in dark colours. */
+class Access extends Reach {
+  async look(name) {
+    this.looked.push(name);
+    for (const theme of ['dark', 'light']) {
+      await this.studio.page.evaluate(async (wanted) => {
+        document.documentElement.dataset.theme = wanted;
+        await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+        await Promise.allSettled(document.getAnimations().map(({ finished }) => finished));
+      }, theme);
+      for (const what of await violations(this.studio))
+        if (!this.wrong.some((one) => one.endsWith(what))) this.wrong.push(`${name}, ${theme}: ${what}`);
+    }
+  }
+}
+
+async function everyPanel(studio) {
+  await steering(studio, new Access(studio));
+  await watching(studio, new Access(studio));
 }
 
 /** Names of what Tab stops at, from the scene on. */
@@ -134,3 +158,7 @@ async function threePanels(studio) {
     await studio.shot(`sheet-${tab}`);
   }
 }
+
+export const kAccessCases = [
+  ['access: every panel', everyPanel, ['wide', 'phone'], { ...kTogether, everySize: false, hint: true, release: true }],
+];

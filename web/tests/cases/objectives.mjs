@@ -3,11 +3,11 @@ import { expect } from '../support/expect.mjs';
 
 /** Menu entry, and the world's parameters once it is chosen (the exponent is left alone by the longest walk). */
 const kChoices = [
-  ['Least longest', { 'plan.objective': 1 }],
-  ['Least sum', { 'plan.objective': 0, 'plan.exponent': 1 }],
-  ['Least squares', { 'plan.objective': 0, 'plan.exponent': 2 }],
-  ['Least longest', { 'plan.objective': 1, 'plan.exponent': 2 }],
-  ['Least squares', { 'plan.objective': 0, 'plan.exponent': 2 }],
+  ['Nobody far', { 'plan.objective': 1 }],
+  ['Least walking', { 'plan.objective': 0, 'plan.exponent': 1 }],
+  ['Even walks', { 'plan.objective': 0, 'plan.exponent': 2 }],
+  ['Nobody far', { 'plan.objective': 1, 'plan.exponent': 2 }],
+  ['Even walks', { 'plan.objective': 0, 'plan.exponent': 2 }],
 ];
 
 const parameters = (studio) =>
@@ -22,7 +22,7 @@ export async function objectives(studio) {
   const chosen = () => menu.evaluate((select) => select.selectedOptions[0]?.textContent ?? '');
   const before = await parameters(studio);
   expect(before['plan.objective'] === 0 && before['plan.exponent'] === 2, `the default: ${JSON.stringify(before)}`);
-  expect((await chosen()) === 'Least squares', `the menu tells the default: ${await chosen()}`);
+  expect((await chosen()) === 'Even walks', `the menu tells the default: ${await chosen()}`);
   for (const [label, wanted] of kChoices) {
     await menu.selectOption({ label });
     await studio.eventually(async () => {

@@ -182,7 +182,7 @@ export async function conduct(studio) {
   await studio.shot('conduct');
   await page.locator('.segments button', { hasText: 'Hold' }).click();
   await studio.until('the stance', () => globalThis.__muster.frame.groups[0].stance === 1);
-  await page.locator('input[aria-label="Squeeze"]').fill('40');
+  await page.locator('input[aria-label="Narrow"]').fill('40');
   await studio.until('the squeeze', () => Math.abs(globalThis.__muster.frame.groups[0].squeeze - 0.4) < 0.001);
   await page.keyboard.press('Escape');
 }

@@ -34,13 +34,13 @@ function frontCharacter(studio) {
 
 export async function overlays(studio) {
   await studio.pictures(2);
-  await show(studio, 'Field', 'Field of obstacles');
+  await show(studio, 'Push', 'Push of obstacles');
   await show(studio, 'Density', 'Density');
   const scale = await studio.page.evaluate(() => globalThis.__muster.view.fieldScale.max);
   expect(scale > 0, `the crowd is dense somewhere: ${scale}`);
-  expect((await button(studio, 'Field').getAttribute('aria-pressed')) === 'false', 'one overlay at a time');
-  await button(studio, 'Cost').click();
-  await studio.until('the question who', () => /Tap a character/.test(document.querySelector('.legend').textContent));
+  expect((await button(studio, 'Push').getAttribute('aria-pressed')) === 'false', 'one overlay at a time');
+  await button(studio, 'Effort').click();
+  await studio.until('the question who', () => /Tap a person/.test(document.querySelector('.legend').textContent));
   expect(
     await studio.page.evaluate(() => globalThis.__muster.view.fieldScale === null),
     'no field before somebody is chosen',
@@ -53,10 +53,7 @@ export async function overlays(studio) {
   await untilPainted(studio);
   await studio.shot('overlay-cost');
   const words = await legend(studio).textContent();
-  expect(
-    /Character \d+/.test(words) && /Way to walk\s*\d+\.\d m/.test(words),
-    `the legend gives the figures: ${words}`,
-  );
+  expect(/Person \d+/.test(words) && /Way to walk\s*\d+\.\d m/.test(words), `the legend gives the figures: ${words}`);
   const { chosen, cost } = await studio.page.evaluate(() => globalThis.__muster.state);
   expect(
     cost.way >= cost.straight - 0.3,
@@ -64,7 +61,7 @@ export async function overlays(studio) {
   );
   const draws = await studio.page.evaluate(() => globalThis.__muster.view.stats.drawCalls);
   expect(draws <= 60, `${draws} draws, at most 60 allowed`);
-  await button(studio, 'Cost').click();
+  await button(studio, 'Effort').click();
   expect(!(await legend(studio).isVisible()), 'pressed again it goes');
 }
 

@@ -8,12 +8,12 @@ import { madeCharacter } from '../support/made_glb.mjs';
 import { madeMap, madeModel, madeObj, madeTown } from '../support/made_places.mjs';
 import { runProgram, startStudio } from '../support/server.mjs';
 import { serious } from './look.mjs';
-const dialogOf = (studio) => studio.page.locator('dialog.place-dialog[open]');
+export const dialogOf = (studio) => studio.page.locator('dialog.place-dialog[open]');
 const title = (studio) => studio.page.evaluate(() => globalThis.__muster.state.title);
-const present = async (server) => JSON.parse(await (await fetch(new URL('scenario', server.url))).text());
+export const present = async (server) => JSON.parse(await (await fetch(new URL('scenario', server.url))).text());
 
 /** Opens the dialog from the list of scenarios. */
-async function openPlaces(studio, label) {
+export async function openPlaces(studio, label) {
   await studio.page.locator('.scenario-button').click();
   await studio.page.locator('.place-menu-item', { hasText: label }).click();
   await dialogOf(studio).waitFor();
@@ -40,7 +40,7 @@ const choose = (studio, ...files) =>
     .locator('input[aria-label="Open or import a place"]')
     .setInputFiles(files.map(({ name, buffer }) => ({ name, buffer, mimeType: '' })));
 
-async function reload(studio, url) {
+export async function reload(studio, url) {
   await studio.page.goto(url);
   await studio.until('the page again', () => (globalThis.__muster?.frame?.groups.length ?? 0) > 0);
 }
@@ -70,7 +70,7 @@ export async function saveAndOpen(studio, server) {
   await serious(studio, 'dialog for saving a place');
   await fits(studio, 'saving');
   await studio.shot('place-save');
-  await dialog.locator('button', { hasText: 'Save in this browser' }).click();
+  await dialog.locator('#place-save button[type=submit]').click();
   await studio.eventually(async () =>
     expect(/“My square” is saved/.test(await dialog.textContent()), 'the place is saved'),
   );

@@ -1,6 +1,7 @@
 // Every panel, menu and dialog at every size: each of its controls can be hit, and nothing lies outside the window.
 import { expect } from '../support/expect.mjs';
 import { press, unreachable } from '../support/reach.mjs';
+import { StudioPage } from '../support/studio_page.mjs';
 import { pause, play, record, stop } from './takes.mjs';
 
 /** Buttons of menus, by what their menu is called here. */
@@ -44,6 +45,15 @@ const kDialogs = [
 const kSteering = [
   ['words as a formation', (studio) => press(studio, '.formation[data-opens="text"]')],
   ['formation of one’s own', (studio) => press(studio, '.formation[data-opens="shape"]')],
+  [
+    'QR code',
+    async (studio) => {
+      if (!(await press(studio, '.formation[data-opens="shape"]'))) return false;
+      await studio.page.locator('dialog[open] button', { hasText: 'QR code' }).click();
+      await studio.page.locator('dialog[open] input[inputmode="url"]').fill('https://example.org/a');
+      return true;
+    },
+  ],
   ['group to add', (studio) => press(studio, '.add-group')],
 ];
 
@@ -74,7 +84,7 @@ async function item(studio, name) {
 }
 
 /** What is open at present, and where it fails. */
-class Reach {
+export class Reach {
   constructor(studio) {
     this.studio = studio;
     this.wrong = [];
@@ -151,8 +161,7 @@ async function giveOrders(studio) {
   await studio.send({ type: 'Commands', commands });
 }
 
-async function steering(studio) {
-  const reach = new Reach(studio);
+export async function steering(studio, reach = new Reach(studio)) {
   await reach.look('first visit');
   await press(studio, '.hint-done');
   await reach.look('all that stands');
@@ -184,7 +193,7 @@ async function steering(studio) {
   await studio.until('the queue', () => document.querySelector('.queue-chip')?.checkVisibility());
   await press(studio, '.queue-chip');
   await reach.look('queue');
-  if (await press(studio, '.queue-act[aria-label="Formations"]')) {
+  if (await press(studio, '.queue-act[aria-label="On the way"]')) {
     await studio.page.locator('.sequence').waitFor();
     await reach.look('formations along the way');
     await press(studio, '.sequence button[aria-label^="Close"]');
@@ -209,12 +218,11 @@ async function tabs(studio) {
   return names.length > 0 ? names : ['formation'];
 }
 
-async function watching(studio) {
+export async function watching(studio, reach = new Reach(studio)) {
   await record(studio, 0.6);
   await stop(studio);
   await play(studio);
   await pause(studio);
-  const reach = new Reach(studio);
   await reach.look('time line');
   await reach.menus();
   await reach.dialogs(kDialogs);
@@ -254,14 +262,35 @@ async function exportKeepsFocus(studio) {
 
 const kAllSizes = ['wide', 'landscape', 'tablet', 'portrait', 'phone'];
 /** Two groups, and an invitation to direct. */
-const kTogether = {
+export const kTogether = {
   scenario: 'web/tests/scenarios/two-groups.json',
   options: ['--lan'],
   search: '?quality=light',
   everySize: true,
 };
 
+/** What is told and asked where others direct. */
+async function together(studio) {
+  const other = await StudioPage.open(studio.context.browser(), studio.page.url(), { size: studio.size });
+  try {
+    await studio.until('the other', () => globalThis.__muster.state.directors.length === 2);
+    const reach = new Reach(studio);
+    await other.send({ type: 'Playback', action: 1 });
+    await studio.page.locator('.shared-banner').waitFor();
+    await reach.look('somebody paused');
+    await other.send({ type: 'AskOthers', request: 'open Open square' });
+    await studio.page.locator('.shared-banner', { hasText: 'Allow' }).waitFor();
+    await reach.look('somebody asks');
+    const choose = async () => (await press(studio, '.scenario-button')) && press(studio, '.scenario-item');
+    await reach.dialogs([['to change the place', choose]]);
+    reach.tell();
+  } finally {
+    await other.close();
+  }
+}
+
 export const kReachCases = [
-  ['reach: steering', steering, kAllSizes, { ...kTogether, hint: true }],
-  ['reach: watching a take', watching, kAllSizes, kTogether],
+  ['reach: steering', (studio) => steering(studio), kAllSizes, { ...kTogether, hint: true }],
+  ['reach: watching a take', (studio) => watching(studio), kAllSizes, kTogether],
+  ['reach: directing together', (studio) => together(studio), kAllSizes, kTogether],
 ];

@@ -66,11 +66,13 @@ async function pictureOfL(page) {
   return { name: 'letter-l.png', mimeType: 'image/png', buffer: Buffer.from(text, 'base64') };
 }
 
-/** Of the first group's places in its own axes: the share in the quarter ahead and to the left, and that ahead to the right. */
+/** Of the first group's places as the visitor sees them: the share in the quarter above on the left, and above on the right. */
 const quarters = (page) =>
   page.evaluate(() => {
-    const { x, y, facing, places } = globalThis.__muster.frame.groups[0];
-    const [c, s] = [Math.cos(facing), Math.sin(facing)];
+    const { frame, view } = globalThis.__muster;
+    const { x, y, places } = frame.groups[0];
+    const up = view.camera.pose.turn + Math.PI / 2;
+    const [c, s] = [Math.cos(up), Math.sin(up)];
     const own = [];
     for (let i = 0; i + 1 < places.length; i += 2) {
       const [dx, dy] = [places[i] - x, places[i + 1] - y];
@@ -116,17 +118,17 @@ export async function ownShape(studio, server) {
   await studio.eventually(async () =>
     expect((await dialog.locator('.shape-saved li').count()) === 1, 'the formation is saved'),
   );
-  await dialog.locator('button', { hasText: 'Take up' }).click();
+  await dialog.locator('button', { hasText: 'Use it' }).click();
   await studio.until('the picture as formation', () => globalThis.__muster.state.groups[0].formation === 'points');
   await studio.wait(600);
   const plain = await quarters(page);
   expect(
     plain.left > 0.2 && plain.right < 0.05,
-    `an L: its upright stands ahead on the left: ${JSON.stringify(plain)}`,
+    `an L: its upright stands on the left, as it is drawn: ${JSON.stringify(plain)}`,
   );
   await open();
   await dialog.locator('button', { hasText: 'Mirror' }).click();
-  await dialog.locator('button', { hasText: 'Take up' }).click();
+  await dialog.locator('button', { hasText: 'Use it' }).click();
   await studio.eventually(async () => {
     const turned = await quarters(page);
     expect(turned.right > 0.2 && turned.left < 0.05, `mirrored: ${JSON.stringify(turned)}`);
@@ -137,7 +139,7 @@ export async function ownShape(studio, server) {
   await studio.until('the page again', () => (globalThis.__muster?.frame?.groups.length ?? 0) > 0);
   await open();
   await dialog.locator('.shape-saved-take', { hasText: 'letter-l' }).click();
-  await dialog.locator('button', { hasText: 'Take up' }).click();
+  await dialog.locator('button', { hasText: 'Use it' }).click();
   await studio.eventually(async () => {
     const again = await quarters(page);
     expect(again.left > 0.2 && again.right < 0.05, `as it was saved: ${JSON.stringify(again)}`);

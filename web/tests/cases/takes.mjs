@@ -4,6 +4,7 @@ import validator from 'gltf-validator';
 import { expect } from '../support/expect.mjs';
 import { extreme, points, shifted } from '../support/geometry.mjs';
 import { startStudio } from '../support/server.mjs';
+import { StudioPage } from '../support/studio_page.mjs';
 
 const now = (studio) => studio.page.evaluate(() => globalThis.__muster.frame.step);
 const visible = (studio, selector) => studio.page.locator(selector).isVisible();
@@ -267,11 +268,16 @@ export async function exports(studio) {
   const report = await validator.validateBytes(new Uint8Array(glb.bytes));
   expect(report.issues.numErrors === 0, `the GLB is valid: ${JSON.stringify(report.issues.messages.slice(0, 3))}`);
   expect(report.info.animationCount > 0, 'the GLB moves');
-  const bvh = await exportOf(studio, 'bvh', { 'Pictures a second': '24' });
+  const bvh = await exportOf(studio, 'bvh', { 'Frames a second': '24' });
   expect(bvh.bytes.subarray(0, 4).toString('latin1') === 'PK\u0003\u0004', 'the BVH files come in a ZIP');
   expect(bvh.bytes.includes('HIERARCHY') && bvh.name.endsWith('-bvh.zip'), bvh.name);
   const usd = await exportOf(studio, 'usda');
   expect(usd.bytes.subarray(0, 5).toString() === '#usda', 'USD');
+  const binary = await exportOf(studio, 'usdc');
+  expect(
+    binary.bytes.subarray(0, 8).toString() === 'PXR-USDC' && binary.bytes.length < usd.bytes.length / 2,
+    'binary USD',
+  );
   const pedpy = await exportOf(studio, 'pedpy');
   expect(/^#/.test(pedpy.bytes.toString()), 'PedPy');
   const jupedsim = await exportOf(studio, 'jupedsim');
@@ -294,7 +300,7 @@ export async function exports(studio) {
     expect(to - from < 20, `a short part: ${from} to ${to}`);
   });
   if ((await studio.page.locator('.export-dialog input[value="film"]').count()) === 0) return;
-  const film = await exportOf(studio, 'film', { 'Pictures a second': '24' });
+  const film = await exportOf(studio, 'film', { 'Frames a second': '24' });
   console.log(`measured: ${film.name}, ${film.bytes.length} bytes, made in ${film.ms} ms`);
   const played = await studio.page.evaluate(
     async ([base64, type]) => {
@@ -326,6 +332,8 @@ export async function exports(studio) {
 /** A killed server's recording is offered when it is back. */
 export async function cutOff(studio, server) {
   await record(studio, 1.5);
+  const other = await StudioPage.open(studio.context.browser(), server.url, { size: studio.size });
+  await studio.until('another device', () => globalThis.__muster.state.directors.length === 2);
   server.kill();
   await studio.until('the banner', () => document.documentElement.hasAttribute('data-lost'));
   const again = await startStudio({ port: server.port, scenario: server.scenario, takes: server.takes });
@@ -333,6 +341,10 @@ export async function cutOff(studio, server) {
     await studio.until('the offer', () => document.querySelector('.take-card')?.hidden === false, null, 30000);
     const heading = await studio.page.locator('.card-heading').textContent();
     expect(/cut off/.test(heading), heading);
+    await other.connected();
+    await other.wait(3500);
+    expect(!(await visible(other, '.take-card')), 'only who recorded is told');
+    await other.close();
     await studio.wait(250);
     await studio.shot('takes-cut-off');
     await studio.page.goto(server.url);

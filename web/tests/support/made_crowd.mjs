@@ -206,6 +206,7 @@ class Conversation {
       moved: new Uint32Array(0),
       offsets: new Int16Array(0),
       unfit: new Uint8Array(0),
+      standings: new Uint32Array([half, 0, 0, 0, 0, 0, 0, 0, 0]),
       controls: [],
       x: 0,
       y: 0,

@@ -15,14 +15,16 @@ export function programPath() {
 }
 
 /** Starts the studio on a free port from `port` on; resolves when it prints its address. Paths from the root; takes are kept in
- * a new folder unless one is named. `options` are further ones of the studio. */
+ * a new folder unless one is named. Without a scenario the studio chooses. `options` are further ones of the studio. */
 export async function startStudio({
   scenario = 'web/tests/scenarios/hundred.json',
   port = kPort,
   takes = mkdtempSync(join(tmpdir(), 'muster-takes-')),
   options = [],
 } = {}) {
-  const server = await startServer(['studio', scenario, '--port', String(port), '--takes', takes, ...options]);
+  const shelves = ['--takes', takes, '--places', join(takes, 'places')];
+  const first = scenario === '' ? [] : [scenario];
+  const server = await startServer(['studio', ...first, '--port', String(port), ...shelves, ...options]);
   return { ...server, scenario, takes };
 }
 

@@ -325,6 +325,34 @@ export const Stance = {
 export type Stance = (typeof Stance)[keyof typeof Stance];
 
 /**
+ * Whether a character stands in its place, and if not, what keeps it from there. Of a place it is said where the
+ * formation wants it: people stand beside it where they cannot stand there.
+ */
+export const Standing = {
+  /** It stands within 0.5 m of where its formation wants it. */
+  InPlace: 0,
+  /** It is on its way, or its place is. */
+  OnTheWay: 1,
+  /** Its group was told to hold, or it has not set out yet. */
+  Held: 2,
+  /** It has not got on for 5 s. */
+  Stuck: 3,
+  /** Its place lies outside the ground. */
+  Outside: 4,
+  /** Its place lies in an obstacle. */
+  Obstacle: 5,
+  /** Its place is too narrow for its body. */
+  Narrow: 6,
+  /** No way leads to its place. */
+  NoWay: 7,
+  /** Others have taken the room at its place. */
+  Crowded: 8,
+  /** Their number. */
+  Count: 9,
+} as const;
+export type Standing = (typeof Standing)[keyof typeof Standing];
+
+/**
  * Kinds of events. Those from Arrived on tell how orders get on and how groups change; each from Arrived to
  * Partial comes once per order and version of the ground. An order is a pose, a formation, a count or a drawn way;
  * the ground changes with every command that changes obstacles or patches.

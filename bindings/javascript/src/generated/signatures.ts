@@ -57,6 +57,7 @@ export const kSignatures = {
   muster_world_parameter: 'status | world self | name text | value out f64',
   muster_world_characters: 'status | world self | characters out Characters',
   muster_world_way_ahead: 'status | world self | character i32 | points outList Vec2 | count count',
+  muster_world_standings: 'status | world self | standings outList u8 | count count',
   muster_world_group_count: 'status | world self | count out i32',
   muster_world_group: 'status | world self | index i32 | group out Group',
   muster_world_group_index: 'status | world self | group u32 | index out i32',

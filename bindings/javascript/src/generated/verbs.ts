@@ -120,6 +120,14 @@ export class World extends Handle {
     return this.call_('muster_world_way_ahead', character) as Float64Array;
   }
 
+  /**
+   * The Standing of each character: whether it stands in its place, and if not, what keeps it from there. Valid
+   * also until the next call.
+   */
+  standings(): Uint8Array {
+    return this.call_('muster_world_standings') as Uint8Array;
+  }
+
   /** Current number of groups. */
   groupCount(): number {
     return this.call_('muster_world_group_count') as number;

@@ -5,11 +5,11 @@
 
 #include "engine/state/group_edits.h"
 #include "engine/systems/events/cut_off.h"
+#include "engine/systems/events/rest.h"
 
 namespace muster {
 namespace {
 
-constexpr double kStandingPlaceSpeed = 0.1;  // Speed below which a place counts as standing [m/s].
 constexpr double kDrawnTime = 0.25;  // Time after which a drawn route that grows no further is complete [s].
 constexpr double kStuckInterval = 0.5;  // Time between two searches for stuck characters [s].
 
@@ -58,27 +58,12 @@ bool passes(WorldState& state, Group& group, std::size_t index, std::uint8_t& fl
     return comes;
 }
 
-/// True while trajectories are still to be followed, or a control that was let go is ending.
-bool isDrawn(const Group& group) {
-    for (const Control& control : group.controls.controls())
-        for (const ControlPoint& point : control.points)
-            if (!point.trajectory.empty() || (!point.down && !control.pinned)) return true;
-    return false;
-}
-
-/// True while the mesh has not reached the end of the order that is carried out.
-bool isOnItsWay(const Group& group) {
-    return group.orders.begun && !group.orders.held && group.orders.march.phase != MarchPhase::Stand;
-}
-
 // True where all places stand at their targets. Where members have no route, places stop short of the target.
 bool placesStand(const Group& group) {
     if (group.order.withoutWay > 0) return false;
     const PlaceTracker& places = group.places;
     for (std::size_t k = 0; k < places.positions().size(); ++k)
-        if (length(places.velocities()[k]) > kStandingPlaceSpeed ||
-            distance(places.positions()[k], places.reachableTargets()[k]) > kArrivedReach)
-            return false;
+        if (!placeRests(places, k)) return false;
     return true;
 }
 

@@ -35,7 +35,7 @@ public:
 
     Status begin(const ExportInfo& info) override {
         info_ = info;
-        if (Status s = checkSize(info.world->characters().size() * info.frames); !s.ok()) return s;
+        if (Status s = checkSize(info.people() * info.frames); !s.ok()) return s;
         track_.emplace(*info.clips);
         box_ = inspect::environment(*info.world).def().box;
         return file_.open(path_);

@@ -7,6 +7,7 @@
 #include "engine/formation/places/place_tracker.h"
 #include "engine/ground/environment/environment.h"
 #include "engine/world/inspect.h"
+#include "engine/world/standings.h"
 #include "muster/order.h"
 #include "muster/views.h"
 
@@ -183,9 +184,11 @@ void FrameBuilder::build(const World& world, protocol::Frame& frame) {
     buildCharacters(world, frame);
     frame.groups.resize(world.groupCount());
     places_.resize(world.groupCount());
+    const std::vector<StandingCounts> standings = countStandings(world);
     for (std::size_t g = 0; g < world.groupCount(); ++g) {
         fillGroup(world, g, frame.groups[g]);
         places_[g].take(world, g);
+        frame.groups[g].standings.assign(standings[g].begin(), standings[g].end());
     }
     fillMoving(inspect::environment(world), frame.moving);
     frame.collected.assign(world.collected().begin(), world.collected().end());

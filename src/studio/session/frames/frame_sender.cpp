@@ -28,12 +28,12 @@ void FrameSender::sendScene(const WorldPicture& picture, std::vector<MessageByte
         const auto sent = groups_.find(group.id.value);
         if (sent != groups_.end() && sent->second.mesh == group.formationVersion) continue;
         messages.push_back(protocol::encode(buildGroupMesh(picture.world, g)));
-        groups_[group.id.value] = {group.formationVersion, {}, {}};
+        groups_[group.id.value] = {group.formationVersion, {}, {}, {}};
     }
 }
 
-// Writes what has changed of each group since the last frame: the offsets of places, and the queue. A queue
-// that the client knows is taken out of the frame until restoreQueues().
+// Writes what has changed of each group since the last frame: the offsets of places, how people stand, and
+// the queue. What the client knows of the latter two is taken out of the frame until restoreGroups().
 void FrameSender::encodeGroups(const WorldPicture& picture) {
     std::vector<protocol::GroupFrame>& groups = picture.frame.groups;
     for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -45,13 +45,20 @@ void FrameSender::encodeGroups(const WorldPicture& picture) {
             sent.queue = group.orders;
         else
             group.orders.clear();
+        if (sent.standings == group.standings)
+            group.standings.clear();
+        else
+            sent.standings = group.standings;
     }
 }
 
-// All clients share the frame, so it gets the queues back that this client did not need.
-void FrameSender::restoreQueues(protocol::Frame& frame) const {
-    for (protocol::GroupFrame& group : frame.groups)
-        if (!group.queued) group.orders = *groups_.at(group.id).queue;
+// All clients share the frame, so it gets back what this client did not need.
+void FrameSender::restoreGroups(protocol::Frame& frame) const {
+    for (protocol::GroupFrame& group : frame.groups) {
+        const SentGroup& sent = groups_.at(group.id);
+        if (!group.queued) group.orders = *sent.queue;
+        group.standings = sent.standings;
+    }
 }
 
 void FrameSender::send(const WorldPicture& picture, double echo, std::vector<protocol::EventFrame>& events,
@@ -78,7 +85,7 @@ void FrameSender::send(const WorldPicture& picture, double echo, std::vector<pro
     swapMembers();
     messages.push_back(protocol::encode(frame));
     swapMembers();
-    restoreQueues(frame);
+    restoreGroups(frame);
     frame.events.swap(events);
     events.clear();
     sentIds_ = picture.frames.idsVersion();

@@ -43,11 +43,12 @@ private:
         std::uint32_t mesh = 0;  // Version of its mesh.
         PlacesEncoder places;
         std::optional<std::vector<QueuedOrder>> queue;  // None before the first frame.
+        std::vector<std::uint32_t> standings;           // Empty before the first frame.
     };
 
     void sendScene(const WorldPicture& picture, std::vector<MessageBytes>& messages);
     void encodeGroups(const WorldPicture& picture);
-    void restoreQueues(protocol::Frame& frame) const;
+    void restoreGroups(protocol::Frame& frame) const;
 
     std::uint32_t frame_ = 0;                    // Number of the last frame sent.
     bool awaitsAck_ = false;                     // True while that frame is not acknowledged.

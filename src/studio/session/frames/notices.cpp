@@ -6,14 +6,11 @@
 
 #include "engine/state/command_archive.h"
 #include "engine/world/inspect.h"
+#include "engine/world/standings.h"
 
 namespace muster {
 
 namespace {
-
-std::string nameOf(const GroupView& group) {
-    return group.name.empty() ? "Group " + std::to_string(group.id.value) : std::string(group.name);
-}
 
 std::string ofAll(std::uint32_t number, const GroupView& group) {
     return std::to_string(number) + " of " + std::to_string(group.count);
@@ -23,12 +20,10 @@ std::string ofAll(std::uint32_t number, const GroupView& group) {
 std::string sentence(EventKind kind, const GroupView& group, std::uint32_t number) {
     const bool all = std::cmp_equal(number, group.count);
     switch (kind) {
-        case EventKind::Arrived:
-            return all ? "everybody is in place."
-                       : ofAll(number, group) + " are in place; there is no room for more.";
         case EventKind::Stuck:
-            return ofAll(number, group) + (number == 1 ? " is" : " are") +
-                   " stuck: not in place, and standing for 5 s.";
+            return ofAll(number, group) + (number == 1 ? " does" : " do") +
+                   " not get on, and stood for 5 s away from " +
+                   (number == 1 ? "its place." : "their places.");
         case EventKind::Blocked:
             return "the way of " + (all ? std::string("everybody") : ofAll(number, group)) + " is cut off.";
         case EventKind::Free:
@@ -40,10 +35,6 @@ std::string sentence(EventKind kind, const GroupView& group, std::uint32_t numbe
         default:
             return "";
     }
-}
-
-bool isGood(EventKind kind) {
-    return kind == EventKind::Arrived || kind == EventKind::Free;
 }
 
 /// The group of the character with that id; the number of groups for none.
@@ -61,8 +52,9 @@ void appendNotices(const World& world, std::vector<EventNotice>& notices) {
     const auto say = [&](EventKind kind, const GroupView& group, std::uint32_t number, Vec2 position) {
         const std::string what = sentence(kind, group, number);
         if (what.empty()) return;
-        const auto level = isGood(kind) ? protocol::NoticeLevel::Info : protocol::NoticeLevel::Warning;
-        notices.push_back({level, eventKindName(kind), nameOf(group) + ": " + what, position});
+        const auto level = kind == EventKind::Free ? protocol::NoticeLevel::Info
+                                                   : protocol::NoticeLevel::Warning;
+        notices.push_back({level, eventKindName(kind), groupTitle(group) + ": " + what, position});
     };
     for (const Event& event : world.events()) {
         if (!isOrderEvent(event.kind)) continue;

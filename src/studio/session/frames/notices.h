@@ -16,12 +16,13 @@ namespace muster {
 /// A sentence about one group.
 struct EventNotice {
     protocol::NoticeLevel level = protocol::NoticeLevel::Info;
-    std::string code;  ///< Name of the kind of event.
+    std::string code;  ///< Name of the kind of event, or of what was found.
     std::string text;
     Vec2 position;  ///< Where [m].
 };
 
-/// Appends what to say of the events of a world's last step: one sentence per group and kind.
+/// Appends what to say of the events of a world's last step: one sentence per group and kind. Arrivals are
+/// told by frames alone.
 void appendNotices(const World& world, std::vector<EventNotice>& notices);
 
 /// The position at which a finger came down or a new control should be; nothing for other commands.

@@ -2,6 +2,7 @@
 // step by step, and acts that direct groups.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -93,6 +94,8 @@ public:
     protocol::EditHistory state(std::uint32_t client) const;
     /// Rises with every change of what state() or the place tell.
     std::uint32_t revision() const { return revision_; }
+    /// What state() tells has changed.
+    void touch(std::uint32_t above) { revision_ = std::max(revision_, above) + 1; }
 
 private:
     struct Waiting {

@@ -24,21 +24,25 @@ std::string fileStem(const std::string& name, const char* otherwise) {
 
 }  // namespace
 
-Status Session::openScenario(const std::string& name, std::string_view text) {
+Status Session::openScenario(const std::string& name, std::string_view text, std::uint32_t director) {
     const std::string stem = fileStem(name, "place");
     auto def = parseScenario(text, stem + ".json", "");
     if (!def.ok()) return def.status();
     def->gestures.clear();  // Its file lies elsewhere.
-    return impl_->begin(stem, *def);
+    return impl_->beginFor(impl_->idOf(director), protocol::WorldChange::Opened,
+                           [&] { return impl_->begin(stem, *def); });
 }
 
 Result<std::string> Session::scenario() const {
     if (!impl_->world) return Status(StatusCode::NotFound, "there is no world yet");
-    WorldDef def = impl_->worldDef;
-    if (!impl_->player && impl_->editor.place().edited())
-        def = impl_->editor.place().definition(impl_->worldDef, *impl_->world).def;
-    def.gestures.clear();
-    return writeScenario(def);
+    return writeScenario(impl_->placeNow());
+}
+
+WorldDef Session::Impl::placeNow() const {
+    WorldDef now = worldDef;
+    if (!player && editor.place().edited()) now = editor.place().definition(worldDef, *world).def;
+    now.gestures.clear();
+    return now;
 }
 
 std::string Session::scenarioName() const {

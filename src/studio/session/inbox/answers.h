@@ -18,4 +18,7 @@ Result<protocol::Forecasts> answerForecasts(const World& world, const protocol::
 Result<protocol::Places> answerPlaces(const World& world, const protocol::AskPlaces& message,
                                       const SessionLimits& limits);
 
+/// Who cannot be in its place, and why.
+protocol::Standings answerStandings(const World& world, const protocol::AskStandings& message);
+
 }  // namespace muster

@@ -8,21 +8,6 @@
 namespace muster {
 namespace {
 
-// Without what cannot be seen, and without blanks at both ends; cut between letters.
-std::string plainName(const std::string& name) {
-    std::string plain;
-    std::size_t letters = 0;
-    for (const char c : name) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (byte < 0x20 || byte == 0x7f) continue;
-        if (plain.empty() && c == ' ') continue;
-        if ((byte & 0xc0) != 0x80 && ++letters > Directors::kMaxNameLetters) break;
-        plain += c;
-    }
-    while (!plain.empty() && plain.back() == ' ') plain.pop_back();
-    return plain;
-}
-
 // The groups that a command changes. Orders that follow another group change only their own.
 struct ChangedGroups {
     std::vector<std::uint32_t> operator()(const MergeGroups& merge) const {
@@ -44,6 +29,20 @@ bool isThere(const World& world, std::uint32_t group) {
 }
 
 }  // namespace
+
+std::string plainText(const std::string& text, std::size_t mostLetters) {
+    std::string plain;
+    std::size_t letters = 0;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x20 || byte == 0x7f) continue;
+        if (plain.empty() && c == ' ') continue;
+        if ((byte & 0xc0) != 0x80 && ++letters > mostLetters) break;
+        plain += c;
+    }
+    while (!plain.empty() && plain.back() == ' ') plain.pop_back();
+    return plain;
+}
 
 Directors::Director* Directors::find(std::uint32_t client) {
     const auto found = std::find_if(directors_.begin(), directors_.end(),
@@ -73,7 +72,7 @@ void Directors::leave(std::uint32_t client) {
 void Directors::rename(std::uint32_t client, const std::string& name) {
     Director* director = find(client);
     if (director == nullptr) return;
-    director->name = plainName(name);
+    director->name = plainText(name, kMaxNameLetters);
     if (director->name.empty()) director->name = "Director " + std::to_string(director->colour + 1);
     ++revision_;
 }

@@ -12,6 +12,9 @@
 
 namespace muster {
 
+/// Text without what cannot be seen and without blanks at both ends; cut between letters.
+std::string plainText(const std::string& text, std::size_t mostLetters);
+
 /// All directors of a session. A director is a client that has said Hello. Not thread-safe.
 class Directors {
 public:

@@ -9,7 +9,9 @@
 
 #include "base/maths.h"
 #include "engine/state/validation.h"
+#include "engine/systems/events/standing.h"
 #include "engine/world/inspect.h"
+#include "engine/world/standings.h"
 #include "engine/world/studio_access.h"
 #include "muster/views.h"
 
@@ -66,7 +68,7 @@ protocol::PlacesFrame answer(const World& world, const protocol::PlacesAsk& ask)
         frame.places.push_back(static_cast<float>(p.x));
         frame.places.push_back(static_cast<float>(p.y));
     }
-    for (const PlaceBar bar : barsOf(world, GroupId{ask.group}, places.value()))
+    for (const Standing bar : barsOf(world, GroupId{ask.group}, places.value()))
         frame.unfit.push_back(static_cast<std::uint8_t>(bar));
     return frame;
 }
@@ -86,6 +88,19 @@ Result<protocol::Places> answerPlaces(const World& world, const protocol::AskPla
         if (isGroup(world, ask.group)) answers.answers.push_back(answer(world, ask));
     }
     return answers;
+}
+
+protocol::Standings answerStandings(const World& world, const protocol::AskStandings& message) {
+    protocol::Standings answer;
+    answer.number = message.number;
+    const CharactersView characters = world.characters();
+    const std::vector<StandingReport> reports = inspect::standings(world);
+    for (std::size_t i = 0; i < reports.size(); ++i)
+        if (isBarred(reports[i].standing))
+            answer.people.push_back({characters.id[i], reports[i].standing,
+                                     static_cast<float>(reports[i].wanted.x),
+                                     static_cast<float>(reports[i].wanted.y)});
+    return answer;
 }
 
 }  // namespace muster

@@ -53,7 +53,7 @@ Status Session::takeOver(std::span<const std::uint8_t> bytes) {
     if (handover->takeFrom > 0)
         return invalidArgument(std::string(kHandoverName) + ": the first " +
                                std::to_string(handover->takeFrom) + " bytes of its take are missing");
-    const Status taken = handover->open ? openTake(handover->take, kHandoverName)
+    const Status taken = handover->open ? impl_->openTake(handover->take, kHandoverName, {})
                                         : impl_->takeOverWorld(*handover);
     if (!taken.ok()) return taken;
     if (handover->open) impl_->player->want(handover->step);

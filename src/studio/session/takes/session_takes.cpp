@@ -8,6 +8,7 @@
 #include "muster/take.h"
 #include "studio/session/frames/scene_signature.h"
 #include "studio/session/session_state.h"
+#include "studio/session/takes/take_titles.h"
 
 namespace muster {
 namespace {
@@ -25,22 +26,30 @@ constexpr const char* kFromFrames =
 // ---- Opening and keeping ----
 
 Status Session::openTake(std::span<const std::uint8_t> bytes, const std::string& sourceName,
-                         const std::string& fileName) {
-    if (bytes.size() > impl_->def.limits.openTakeBytes) {
+                         const std::string& fileName, std::uint32_t director) {
+    return impl_->beginFor(impl_->idOf(director), protocol::WorldChange::Opened,
+                           [&] { return impl_->openTake(bytes, sourceName, fileName); });
+}
+
+Status Session::Impl::openTake(std::span<const std::uint8_t> bytes, const std::string& sourceName,
+                               const std::string& fileName) {
+    if (bytes.size() > def.limits.openTakeBytes) {
         return {StatusCode::LimitExceeded, sourceName + ": found " + std::to_string(bytes.size()) +
                                                " bytes, expected at most " +
-                                               std::to_string(impl_->def.limits.openTakeBytes)};
+                                               std::to_string(def.limits.openTakeBytes)};
     }
     auto read = parseTake(bytes, sourceName);
     if (!read.ok()) return read.status();
     if (read->steps() == 0) return invalidArgument(sourceName + ": holds no step to replay");
     const auto take = std::make_shared<Take>(std::move(read).value());
-    const bool stored = !take->frames.empty() && !simulatesAlike(*take, impl_->def.threads);
-    auto player = stored ? TakePlayer::storedFrames(take, fileName)
+    const bool stored = !take->frames.empty() && !simulatesAlike(*take, def.threads);
+    auto opened = stored ? TakePlayer::storedFrames(take, fileName)
                          : std::make_unique<TakePlayer>(take, fileName);
-    if (Status s = impl_->begin(take->def.name, take->def, std::move(player)); !s.ok()) return s;
-    impl_->takenBytes.assign(bytes.begin(), bytes.end() - static_cast<std::ptrdiff_t>(take->tornBytes));
-    if (impl_->player->first() > 0) impl_->player->want(impl_->player->first());
+    const std::vector<std::uint8_t> kept(bytes.begin(),
+                                         bytes.end() - static_cast<std::ptrdiff_t>(take->tornBytes));
+    if (Status s = begin(take->def.name, take->def, std::move(opened)); !s.ok()) return s;
+    takenBytes = kept;
+    if (player->first() > 0) player->want(player->first());
     return {};
 }
 
@@ -189,6 +198,8 @@ void Session::Impl::replayEnded() {
     if (player->loops()) return player->want(player->first());
     playing = false;
     touchState();
+    if (endSaid) return;
+    endSaid = true;
     const bool whole = player->last() == player->steps();
     std::string words = "The take ends here.";
     if (player->stored())
@@ -286,8 +297,10 @@ Status Session::Impl::takeAgain(bool keep, SessionClient& client) {
         liftRecorded(take, now);
     }
     renumberClients(take);
-    beginRecording(taken->about().firstStep(taken->steps()), taken->about().title, &client);
+    beginRecording(taken->about().firstStep(taken->steps()), titleAgain(*taken), &client);
     playing = false;
+    shared.pausedBy = 0;
+    shared.touch();
     waitsForHand = true;
     pacer.reset();
     refreshScene();
@@ -295,6 +308,12 @@ Status Session::Impl::takeAgain(bool keep, SessionClient& client) {
               keep ? "Direct on top: it goes on as soon as you touch the crowd, or press Play."
                    : "Direct from here: it goes on as soon as you touch the crowd, or press Play.");
     return {};
+}
+
+std::string Session::Impl::titleAgain(const TakePlayer& taken) const {
+    const std::string& title = taken.about().title;
+    return nextTitle(title.empty() ? worldDef.name : title,
+                     def.takeTitles ? def.takeTitles() : std::vector<std::string>());
 }
 
 // Recorded commands keep their numbers, so whoever steers now gets higher ones.

@@ -10,6 +10,8 @@ interface Job {
   file: string;
   bytes: Uint8Array<ArrayBuffer> | null;
   problem: string;
+  /** The bytes say in JSON how large it would be. */
+  readonly estimate: boolean;
 }
 
 /** Finished files that are kept. */
@@ -38,18 +40,19 @@ export class EngineExports {
     if (!job) return sentence(404, 'there is no such export');
     if (method === 'DELETE') return this.cancel(number, job);
     if (rest === 'file') return job.bytes ? new Response(job.bytes) : sentence(404, 'The export is not done.');
-    const { state, share, file, bytes, problem } = job;
-    return json({ state, share, file, bytes: bytes?.length ?? 0, ...(problem ? { problem } : {}) });
+    const { state, share, file, bytes, problem, estimate } = job;
+    const told = estimate && bytes ? (JSON.parse(new TextDecoder().decode(bytes)) as object) : {};
+    return json({ state, share, file, bytes: bytes?.length ?? 0, ...told, ...(problem ? { problem } : {}) });
   }
 
   private async begin(order: string): Promise<Response> {
-    const { take } = JSON.parse(order) as { readonly take: string };
+    const { take, estimate = false } = JSON.parse(order) as { readonly take: string; readonly estimate?: boolean };
     const found = await this.ask_(`takes/${take}`);
     if (!found.ok) return found;
     this.forgetOldest();
     const number = String(++this.last_);
     const worker = this.makeWorker_();
-    const job: Job = { worker, state: 'running', share: 0, file: '', bytes: null, problem: '' };
+    const job: Job = { worker, state: 'running', share: 0, file: '', bytes: null, problem: '', estimate };
     this.jobs_.set(number, job);
     worker.onmessage = ({ data }) => {
       if (data.kind === 'progress') job.share = data.share;

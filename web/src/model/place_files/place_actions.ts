@@ -20,6 +20,8 @@ export interface PlaceActions {
   /** The present place, into the browser or as a file. */
   savePresent(name: string): void;
   downloadPresent(name: string): void;
+  /** Saves it, and shows a link to it. */
+  sharePresent(name: string): void;
   /** What was imported, as a place of its own or into the present one. `shown`: the model is drawn, too. */
   openImported(source: ImportSource, imported: Imported, settings: ImportSettings, shown: boolean): void;
   addImported(source: ImportSource, imported: Imported, settings: ImportSettings, shown: boolean): void;

@@ -11,6 +11,7 @@ export const PlaybackAction = {
   SingleStep: 2,
   Restart: 3,
   Demonstrate: 4,
+  GoBack: 5,
 } as const;
 export type PlaybackAction = (typeof PlaybackAction)[keyof typeof PlaybackAction];
 
@@ -121,6 +122,16 @@ export const TrialEnd = {
 } as const;
 export type TrialEnd = (typeof TrialEnd)[keyof typeof TrialEnd];
 
+/** What a director did with the world of all. */
+export const WorldChange = {
+  None: 0,
+  Opened: 1,
+  Restarted: 2,
+  Watched: 3,
+  WentBack: 4,
+} as const;
+export type WorldChange = (typeof WorldChange)[keyof typeof WorldChange];
+
 /** Kind of a control by its number of points: one, two, or three and more. */
 export const ControlKind = {
   Point: 0,
@@ -145,6 +156,20 @@ export const Stance = {
   Yield: 2,
 } as const;
 export type Stance = (typeof Stance)[keyof typeof Stance];
+
+/** Whether a character stands in its place, and if not, what keeps it from there. Of a place it is said where the formation wants it: people stand beside it where they cannot stand there. */
+export const Standing = {
+  InPlace: 0,
+  OnTheWay: 1,
+  Held: 2,
+  Stuck: 3,
+  Outside: 4,
+  Obstacle: 5,
+  Narrow: 6,
+  NoWay: 7,
+  Crowded: 8,
+} as const;
+export type Standing = (typeof Standing)[keyof typeof Standing];
 
 /** Kinds of events. Those from Arrived on tell how orders get on and how groups change; each from Arrived to Partial comes once per order and version of the ground. An order is a pose, a formation, a count or a drawn way; the ground changes with every command that changes obstacles or patches. */
 export const EventKind = {

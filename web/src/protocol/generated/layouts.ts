@@ -11,7 +11,8 @@ export const kPartLayouts: Readonly<Record<string, string>> = {
   ForecastFrame: 'group:u32 order:u32 arrives:bool seconds:f32 x:f32 y:f32 way:f32s',
   PlacesAsk: 'group:u32 formation:FormationDef? x:f64 y:f64 facing:f64 places:f64s',
   PlacesFrame: 'group:u32 places:f32s unfit:u8s problem:text',
-  GroupFrame: 'id:u32 meshVersion:u32 lag:f32 walkSum:f32 walkSquares:f32 walkLongest:f32 vertices:f32s moved:u32s offsets:i16s unfit:u8s controls:ControlFrame* x:f32 y:f32 facing:f32 queued:bool orders:QueuedOrder* way:f32s held:bool patrols:bool stance:<3 cohesion:f32 squeeze:f32 avoids:bool',
+  StandingFrame: 'id:u32 standing:<9 x:f32 y:f32',
+  GroupFrame: 'id:u32 meshVersion:u32 lag:f32 walkSum:f32 walkSquares:f32 walkLongest:f32 vertices:f32s moved:u32s offsets:i16s unfit:u8s standings:u32s controls:ControlFrame* x:f32 y:f32 facing:f32 queued:bool orders:QueuedOrder* way:f32s held:bool patrols:bool stance:<3 cohesion:f32 squeeze:f32 avoids:bool',
   CrowdFrame: 'count:u32 x0:f64 y0:f64 quantum:f32 x:u16s y:u16s stepX:i8s stepY:i8s jumped:u32s jumpedX:u16s jumpedY:u16s heading:u8s headingFine:u8s changed:u32s clip:u8s phase:u8s phaseFine:u8s near:u32s nearPlaces:f32s nearPoses:i16s',
   MovingFrame: 'kind:<2 id:u32 x:f32 y:f32 angle:f32',
   AreaFrame: 'id:u32 passed:u32 waiting:u32',
@@ -45,7 +46,7 @@ export const kPartLayouts: Readonly<Record<string, string>> = {
 export const kClientLayouts: readonly (readonly [string, string])[] = [
   ['Hello', 'name:text'],
   ['Touches', 'events:TouchEvent*'],
-  ['Playback', 'action:<5'],
+  ['Playback', 'action:<6'],
   ['SetSpeed', 'factor:f32'],
   ['LoadScenario', 'name:text'],
   ['Record', 'on:bool'],
@@ -72,6 +73,11 @@ export const kClientLayouts: readonly (readonly [string, string])[] = [
   ['DoInStudy', 'act:<4'],
   ['AskPlaces', 'number:u32 asks:PlacesAsk*'],
   ['WatchStages', 'on:bool'],
+  ['AskStandings', 'number:u32'],
+  ['AskOthers', 'request:text'],
+  ['AnswerAsk', 'number:u32 allow:bool'],
+  ['Build', 'on:bool'],
+  ['KeepPlace', 'title:text'],
   ['Say', 'number:u32 act:<4 text:text chosen:u32s'],
 ];
 
@@ -98,5 +104,11 @@ export const kServerLayouts: readonly (readonly [string, string])[] = [
   ['StudyState', 'stage:<8 token:text run:u32 test:bool trial:u32 trials:u32 practice:bool environment:text environmentText:text scheme:text schemeTitle:text schemeText:text touch:bool mesh:bool items:u32 limit:f64 least:f64 mmPerPixel:f64 ended:<5 seconds:f64 collected:u32'],
   ['Places', 'number:u32 answers:PlacesFrame*'],
   ['StageTimes', 'step:u32 total:f32 stages:StageFrame*'],
+  ['Standings', 'number:u32 people:StandingFrame*'],
+  ['SharedWorld', 'pausedBy:u32 builders:u32s change:<5 changedBy:u32 changer:text before:text'],
+  ['Ask', 'number:u32 client:u32 request:text seconds:f32'],
+  ['AskAnswered', 'allowed:bool client:u32'],
+  ['Scenarios', 'scenarios:ScenarioInfo*'],
+  ['PlaceKept', 'title:text name:text problem:text'],
   ['Said', 'number:u32 act:<4 sentences:text problem:text completions:SaidCompletion* forecasts:ForecastFrame* places:PlacesFrame*'],
 ];

@@ -13,9 +13,11 @@ import type {
   StudyAct,
   SayAct,
   TrialEnd,
+  WorldChange,
   ControlKind,
   TouchPhase,
   Stance,
+  Standing,
   EventKind,
 } from './choices';
 import type {
@@ -136,10 +138,20 @@ export interface PlacesFrame {
   group: number;
   /** x, y on the ground [m]. */
   places: Float32Array;
-  /** Per place 0: it can be reached; 1: it lies in an obstacle or outside; 2: no way leads there. */
+  /** Per place a Standing: 0 where it can be reached, else what keeps people from there. */
   unfit: Uint8Array;
   /** One sentence: why it is no formation; else empty. */
   problem: string;
+}
+
+/** Somebody who cannot be in its place. */
+export interface StandingFrame {
+  id: number;
+  /** What keeps it from there. */
+  standing: Standing;
+  /** Where its formation wants it [m]. */
+  x: number;
+  y: number;
 }
 
 /** A group's mesh, places and controls [m]. */
@@ -161,6 +173,8 @@ export interface GroupFrame {
   offsets: Int16Array;
   /** A bit per place, the lowest first, 1: no room for anyone; empty where unchanged. */
   unfit: Uint8Array;
+  /** How many stand as each Standing tells, in its order; empty where unchanged. */
+  standings: Uint32Array;
   controls: ControlFrame[];
   /** Where its formation has its centre [m]. */
   x: number;
@@ -477,7 +491,7 @@ export interface Touches {
   events: TouchEvent[];
 }
 
-/** Play, pause, one step, from the start, or from the start with the touches that the scenario carries. */
+/** Play, pause, one step, from the start, from the start with the touches that the scenario carries, or back to the world before. */
 export interface Playback {
   type: 'Playback';
   action: PlaybackAction;
@@ -686,6 +700,40 @@ export interface AskPlaces {
 export interface WatchStages {
   type: 'WatchStages';
   on: boolean;
+}
+
+/** Who cannot be in its place, and why? */
+export interface AskStandings {
+  type: 'AskStandings';
+  /** Comes back with the answer. */
+  number: number;
+}
+
+/** Would the others mind? Who does not answer in time agrees. */
+export interface AskOthers {
+  type: 'AskOthers';
+  /** What the sender would like: 'open Market square'; at most 100 letters count. Empty: never mind. */
+  request: string;
+}
+
+/** Whether the sender minds. */
+export interface AnswerAsk {
+  type: 'AnswerAsk';
+  /** Of the question. */
+  number: number;
+  allow: boolean;
+}
+
+/** Begins or ends building: the world waits meanwhile, and goes on if it went on before. */
+export interface Build {
+  type: 'Build';
+  on: boolean;
+}
+
+/** Keeps the place under that name, which it has from now on. */
+export interface KeepPlace {
+  type: 'KeepPlace';
+  title: string;
 }
 
 /** A sentence that directs: what would it do, or do it; how may it go on; or what is there to see? */
@@ -1008,6 +1056,66 @@ export interface StageTimes {
   stages: StageFrame[];
 }
 
+/** All who cannot be in their places: neither there, nor on their way, nor held. */
+export interface Standings {
+  type: 'Standings';
+  number: number;
+  people: StandingFrame[];
+}
+
+/** What directors have done with the world that all of them share; whenever it changes. */
+export interface SharedWorld {
+  type: 'SharedWorld';
+  /** Who paused it; 0: nobody who is here. */
+  pausedBy: number;
+  /** Who is building: the world waits. */
+  builders: Uint32Array;
+  /** What was done last. */
+  change: WorldChange;
+  /** By whom; 0: somebody who has left. */
+  changedBy: number;
+  /** Their name. */
+  changer: string;
+  /** Title of the world before, to which anybody can go back; empty: there is none. */
+  before: string;
+}
+
+/** What another director would like; an empty request: nothing any more. */
+export interface Ask {
+  type: 'Ask';
+  number: number;
+  client: number;
+  /** As in AskOthers. */
+  request: string;
+  /** So long an answer is waited for [s]. */
+  seconds: number;
+}
+
+/** The answer to AskOthers. */
+export interface AskAnswered {
+  type: 'AskAnswered';
+  allowed: boolean;
+  /** Who minds; 0: nobody. */
+  client: number;
+}
+
+/** The scenarios, where they differ from those of Welcome. */
+export interface Scenarios {
+  type: 'Scenarios';
+  scenarios: ScenarioInfo[];
+}
+
+/** The answer to KeepPlace. */
+export interface PlaceKept {
+  type: 'PlaceKept';
+  /** What the place is called now; empty: it was not kept. */
+  title: string;
+  /** As LoadScenario takes it; empty: the server keeps no places. */
+  name: string;
+  /** Why it was not kept: one sentence. */
+  problem: string;
+}
+
 /** What a sentence does or would do. */
 export interface Said {
   type: 'Said';
@@ -1056,6 +1164,11 @@ export type ClientMessage =
   | DoInStudy
   | AskPlaces
   | WatchStages
+  | AskStandings
+  | AskOthers
+  | AnswerAsk
+  | Build
+  | KeepPlace
   | Say;
 
 /** Any message of the server. */
@@ -1080,4 +1193,10 @@ export type ServerMessage =
   | StudyState
   | Places
   | StageTimes
+  | Standings
+  | SharedWorld
+  | Ask
+  | AskAnswered
+  | Scenarios
+  | PlaceKept
   | Said;

@@ -9,7 +9,9 @@ import type { SceneBox } from '../../protocol/messages';
 const kDegree = Math.PI / 180;
 /** Field of view from straight above. */
 const kLongLens = 8 * kDegree;
-const kPitchMin = 25 * kDegree;
+/** Least while somebody steers, who needs ground under every finger, and while a take is watched. */
+export const kSteeredPitch = 25 * kDegree;
+export const kWatchedPitch = 7 * kDegree;
 const kPitchMax = 85 * kDegree;
 /** Seen from above. */
 const kPitchTop = 89.5 * kDegree;
@@ -28,6 +30,7 @@ export class CameraController implements CameraControls, GroundSight {
   private bounds_ = { minX: -1e6, minY: -1e6, maxX: 1e6, maxY: 1e6 };
   /** The view from straight above that is kept; null where the camera moves. */
   private down_: { readonly box: SceneBox; readonly padding: Padding } | null = null;
+  flattest = kSteeredPitch;
   private top_ = false;
   private flat_ = false;
   private glide_: { from: CameraPose; to: CameraPose; start: number; duration: number } | null = null;
@@ -207,7 +210,7 @@ export class CameraController implements CameraControls, GroundSight {
     this.pose_.turn += turn;
     if (this.top_ && tilt === 0) return;
     this.top_ = false;
-    this.pose_.pitch = Math.min(kPitchMax, Math.max(kPitchMin, this.pose_.pitch + tilt));
+    this.pose_.pitch = Math.min(kPitchMax, Math.max(this.flattest, this.pose_.pitch + tilt));
   }
 
   fit(points: readonly GroundPoint[], padding: Padding): void {
@@ -391,6 +394,6 @@ export class CameraController implements CameraControls, GroundSight {
     this.pose_.targetX = Math.min(maxX, Math.max(minX, this.pose_.targetX));
     this.pose_.targetY = Math.min(maxY, Math.max(minY, this.pose_.targetY));
     this.pose_.distance = this.clampDistance(this.pose_.distance);
-    this.pose_.pitch = this.top_ ? kPitchTop : Math.min(kPitchMax, Math.max(kPitchMin, this.pose_.pitch));
+    this.pose_.pitch = this.top_ ? kPitchTop : Math.min(kPitchMax, Math.max(this.flattest, this.pose_.pitch));
   }
 }

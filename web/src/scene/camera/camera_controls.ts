@@ -53,11 +53,13 @@ export interface HandMoves {
   pinch(before: readonly [ScreenPoint, ScreenPoint], after: readonly [ScreenPoint, ScreenPoint]): void;
   /** Factor above 1 comes nearer; the ground at `at` stays. */
   zoomAt(at: ScreenPoint, factor: number): void;
-  /** Turns about the middle of the view and tilts [rad]; pitch stays within 25 to 85 degrees. */
+  /** Turns about the middle of the view and tilts [rad]; pitch stays within `flattest` and 85 degrees. */
   orbit(turn: number, tilt: number): void;
 }
 
 export interface CameraControls extends HandMoves {
+  /** Least pitch [rad]. */
+  flattest: number;
   readonly pose: Readonly<CameraPose>;
   /** Shows all points between the panels; pitch and turn stay. */
   fit(points: readonly GroundPoint[], padding: Padding): void;

@@ -10,6 +10,7 @@ import { kCharacterNow } from './character_shader';
 export class ContactDiscs {
   readonly mesh: Mesh<InstancedBufferGeometry, ShaderMaterial>;
   readonly list: InstanceList;
+  shown = true;
 
   constructor(crowd: CrowdTextures['uniforms']) {
     this.mesh = new Mesh(makeDisc(), discMaterial(crowd));
@@ -25,7 +26,7 @@ export class ContactDiscs {
 
   end(): void {
     this.list.end();
-    this.mesh.visible = this.list.count > 0;
+    this.mesh.visible = this.shown && this.list.count > 0;
   }
 
   dispose(): void {

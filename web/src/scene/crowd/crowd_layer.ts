@@ -88,6 +88,11 @@ export class CrowdLayer {
     if (before && before !== body) disposeBody(before);
   }
 
+  /** Shows the soft shadows under people, or none. */
+  setShadows(shown: boolean): void {
+    this.discs_.shown = shown;
+  }
+
   setPalette(palette: Palette, greyed: boolean, dark: boolean): void {
     this.uniforms_.uGreyed.value = greyed ? 1 : 0;
     this.uniforms_.uGreyTint.value.set(palette.grey);

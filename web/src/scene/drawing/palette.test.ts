@@ -19,6 +19,7 @@ describe('palette', () => {
         expect(contrast(line, floor)).toBeGreaterThan(3);
         expect(contrast(line, palette.ground)).toBeGreaterThan(3);
       }
+      expect(contrast(palette.edge, palette.ground)).toBeGreaterThan(3);
       expect(contrast(palette.ink, palette.panel)).toBeGreaterThan(12);
     }
   });

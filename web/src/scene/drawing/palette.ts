@@ -11,7 +11,9 @@ export interface Palette {
   readonly groundOutside: string;
   readonly lineFine: string;
   readonly lineCoarse: string;
+  /** Where the ground ends, and the kerb beyond. */
   readonly edge: string;
+  readonly kerb: string;
   /** Part of its light that ground keeps in shadow. */
   readonly shadowKeeps: number;
   readonly panel: string;
@@ -36,6 +38,8 @@ export interface Palette {
   readonly roof: string;
   readonly roofHatch: string;
   readonly wall: string;
+  /** What a wall shines by itself while it is made transparent. */
+  readonly thinGlow: string;
   readonly crown: string;
   readonly trunk: string;
   readonly stone: string;
@@ -52,10 +56,11 @@ export interface Palette {
 
 const kLight: Palette = {
   ground: '#E6E1D9',
-  groundOutside: '#DAD5CC',
+  groundOutside: '#CFC9BD',
   lineFine: '#DDD7CE',
   lineCoarse: '#CCC6BC',
-  edge: '#A39C90',
+  edge: '#7C7568',
+  kerb: '#F4F0E9',
   shadowKeeps: 0.7,
   panel: '#FFFFFF',
   ink: '#171B20',
@@ -80,6 +85,7 @@ const kLight: Palette = {
   roof: '#EDE8DF',
   roofHatch: '#DAD4C9',
   wall: '#DDD6CA',
+  thinGlow: '#000000',
   crown: '#9DBB8B',
   trunk: '#8A6D52',
   stone: '#E4DED2',
@@ -95,10 +101,11 @@ const kLight: Palette = {
 
 const kDark: Palette = {
   ground: '#21262C',
-  groundOutside: '#1B2025',
+  groundOutside: '#14181D',
   lineFine: '#292F35',
   lineCoarse: '#353C43',
-  edge: '#56606A',
+  edge: '#8793A0',
+  kerb: '#3B444D',
   shadowKeeps: 0.6,
   panel: '#1F2429',
   ink: '#EEF1F4',
@@ -119,10 +126,11 @@ const kDark: Palette = {
     source: { floor: '#24354A', line: '#7FB2E6' },
     waiting: { floor: '#3B3421', line: '#D6B45A' },
   },
-  obstacleEdge: '#6C7884',
-  roof: '#3F4750',
-  roofHatch: '#475059',
-  wall: '#343B43',
+  obstacleEdge: '#A9B4BF',
+  roof: '#505A64',
+  roofHatch: '#5A646F',
+  wall: '#707C88',
+  thinGlow: '#808C98',
   crown: '#4C6644',
   trunk: '#5E4A39',
   stone: '#4A525B',

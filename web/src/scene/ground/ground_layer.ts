@@ -1,4 +1,4 @@
-// The ground: pale, with lines every metre and every five, the world's edge, and at most one field painted on it.
+// The ground: pale, with lines every metre and every five, a kerb round it, and at most one field painted on it.
 
 import { kLinesGlsl } from '../drawing/lines_glsl';
 import {
@@ -21,6 +21,7 @@ import type { SceneBox } from '../../protocol/messages';
 import { rampBytes } from '../drawing/colour';
 import type { FieldRaster } from './field_raster';
 import { leaveOutOpenings } from '../drawing/openings';
+import { kKerb } from './kerb';
 import type { Palette } from '../drawing/palette';
 import type { ShadeUniforms } from '../drawing/shade';
 
@@ -43,12 +44,14 @@ const kFragment = `
 #include <lights_pars_begin>
 #include <shadowmap_pars_fragment>
 #include <shadowmask_pars_fragment>
+const float kKerb = ${kKerb.toFixed(2)};
 varying vec2 vAt;
 uniform vec3 uGround;
 uniform vec3 uOutside;
 uniform vec3 uFine;
 uniform vec3 uCoarse;
 uniform vec3 uEdge;
+uniform vec3 uKerb;
 uniform vec3 uInk;
 uniform vec4 uBox;
 uniform float uShadowKeeps;
@@ -68,7 +71,9 @@ void main() {
   float within = smoothstep(-edgeWide, edgeWide, depth);
   vec3 colour = mix(uGround, uFine, lines(vAt, 1.0, 1.0));
   colour = mix(colour, uCoarse, lines(vAt, 5.0, 1.25));
-  colour = mix(uOutside, colour, within);
+  float kerb = max(kKerb, 3.5 * uPixel * edgeWide);
+  vec3 beyond = mix(uKerb, uOutside, 1.0 - smoothstep(-edgeWide, edgeWide, depth + kerb));
+  colour = mix(beyond, colour, within);
   float keeps = uShadowKeeps;
   if (uFieldOn > 0.0) {
     vec2 uv = (vAt - uFieldBox.xy) / uFieldBox.zw;
@@ -113,6 +118,7 @@ export class GroundLayer {
           uFine: { value: new Color() },
           uCoarse: { value: new Color() },
           uEdge: { value: new Color() },
+          uKerb: { value: new Color() },
           uInk: { value: new Color() },
           uBox: { value: new Vector4(-1, -1, 1, 1) },
           uPixel: { value: 1 },
@@ -146,6 +152,7 @@ export class GroundLayer {
       ['uFine', palette.lineFine],
       ['uCoarse', palette.lineCoarse],
       ['uEdge', palette.edge],
+      ['uKerb', palette.kerb],
     ] as const;
     for (const [name, hex] of pairs) (this.uniform(name).value as Color).set(hex);
     (this.uniform('uInk').value as Color).set('#11181C');

@@ -1,11 +1,12 @@
 // The ground as software renderers draw it: one flat colour, and its lines as strokes, so that few pixels cost
 // anything.
 
-import { Color, Group, LinearSRGBColorSpace, Mesh, PlaneGeometry, ShaderMaterial } from 'three';
+import { BufferGeometry, Color, Group, LinearSRGBColorSpace, Mesh, PlaneGeometry, ShaderMaterial } from 'three';
 import type { SceneBox } from '../../protocol/messages';
 import { FatLines } from '../drawing/fat_lines';
 import { leaveOutOpenings } from '../drawing/openings';
 import type { Palette } from '../drawing/palette';
+import { kerbGeometry } from './kerb';
 
 /** Lines a metre apart are left out in worlds with more of them. */
 const kFineMost = 600;
@@ -17,37 +18,44 @@ export function between(low: number, high: number, spacing: number): number[] {
   return found;
 }
 
+function flatMaterial(): ShaderMaterial {
+  return new ShaderMaterial({
+    uniforms: { uColour: { value: new Color() } },
+    vertexShader: 'void main() { gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }',
+    fragmentShader: 'uniform vec3 uColour;\nvoid main() { gl_FragColor = vec4(uColour, 1.0); }',
+  });
+}
+
 export class PlainGroundLayer {
   readonly group = new Group();
   private readonly floor_: Mesh<PlaneGeometry, ShaderMaterial>;
   private readonly fine_ = new FatLines({ width: 1, renderOrder: -3 });
   private readonly coarse_ = new FatLines({ width: 1.25, renderOrder: -2 });
   private readonly edge_ = new FatLines({ width: 2.4, renderOrder: -1 });
+  private readonly kerb_ = new Mesh(new BufferGeometry(), flatMaterial());
   private box_: SceneBox = { min: [-1, -1], max: [1, 1] };
   private palette_: Palette | null = null;
 
   constructor() {
-    const material = new ShaderMaterial({
-      uniforms: { uColour: { value: new Color() } },
-      vertexShader: 'void main() { gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }',
-      fragmentShader: 'uniform vec3 uColour;\nvoid main() { gl_FragColor = vec4(uColour, 1.0); }',
-    });
-    this.floor_ = new Mesh(new PlaneGeometry(1, 1), leaveOutOpenings(material));
+    this.floor_ = new Mesh(new PlaneGeometry(1, 1), leaveOutOpenings(flatMaterial()));
     for (const lines of [this.fine_, this.coarse_]) leaveOutOpenings(lines.mesh.material);
-    this.group.add(this.floor_, ...this.lines().map((lines) => lines.mesh));
+    this.group.add(this.floor_, ...this.lines().map((lines) => lines.mesh), this.kerb_);
   }
 
   setBox(box: SceneBox): void {
     this.box_ = box;
     this.floor_.position.set((box.min[0] + box.max[0]) / 2, (box.min[1] + box.max[1]) / 2, 0);
     this.floor_.scale.set(box.max[0] - box.min[0], box.max[1] - box.min[1], 1);
+    this.kerb_.geometry.dispose();
+    this.kerb_.geometry = kerbGeometry(box);
     this.rule();
   }
 
   setPalette(palette: Palette): void {
     this.palette_ = palette;
-    // Written as it is: the shader converts nothing.
+    // Written as they are: the shader converts nothing.
     (this.floor_.material.uniforms['uColour']?.value as Color).setStyle(palette.ground, LinearSRGBColorSpace);
+    (this.kerb_.material.uniforms['uColour']?.value as Color).setStyle(palette.kerb, LinearSRGBColorSpace);
     this.rule();
   }
 
@@ -64,8 +72,10 @@ export class PlainGroundLayer {
 
   dispose(): void {
     for (const lines of this.lines()) lines.dispose();
-    this.floor_.geometry.dispose();
-    this.floor_.material.dispose();
+    for (const { geometry, material } of [this.floor_, this.kerb_]) {
+      geometry.dispose();
+      material.dispose();
+    }
   }
 
   private lines(): FatLines[] {

@@ -9,6 +9,7 @@ import { MarkExtent, type MarkBounds } from './mark_extent';
 import { MarkPainter, type MarkColours } from './mark_painter';
 import { OrderMarks, type OrderScene } from './order_marks';
 import { accentColour, casingOf } from '../drawing/palette';
+import { drawBarred, extendByBarred } from './barred_marks';
 import { drawScheme, extendByScheme } from './scheme_marks';
 
 export interface MarkScene extends OrderScene {
@@ -67,6 +68,7 @@ export class MarkLayer {
     this.painter_.begin(this.bounds_ as MarkBounds, this.ratio_, this.width_);
     if (scene.overlay && scene.overlay.path.length >= 4) this.drawChosenPath(scene.overlay.path, scene);
     this.orders_.draw(scene);
+    drawBarred(this.painter_, scene.barred, scene);
     if (scene.scheme) drawScheme(this.painter_, scene.scheme, scene);
     for (const shown of controls) this.drawBody(shown, marks, scene);
     if (scene.paths) for (const shown of controls) this.drawPaths(shown, marks, scene);
@@ -77,6 +79,7 @@ export class MarkLayer {
     this.dots_ = dots;
     for (const draft of scene.drafts) this.drawDraft(draft, scene);
     this.painter_.alpha = 1;
+    this.drawCursor(marks, scene);
   }
 
   private extentOf(controls: readonly ShownControl[], marks: MarkState, scene: MarkScene): MarkExtent {
@@ -96,9 +99,11 @@ export class MarkLayer {
       for (const dx of [-kNameRoom, kNameRoom]) extent.add({ x: at.x + dx, y: at.y + kNameBelow });
       extent.add(at);
     }
+    if (scene.cursor) add(scene.cursor.x, scene.cursor.y);
     for (const { points, handles } of scene.drafts) for (const point of [...points, ...handles]) add(point.x, point.y);
     addAll(scene.overlay?.path ?? []);
     this.orders_.extend(extent, scene);
+    extendByBarred(extent, scene.barred, scene);
     if (scene.scheme) extendByScheme(extent, scene.scheme, scene);
     return extent;
   }
@@ -245,6 +250,12 @@ export class MarkLayer {
     const at = scene.camera.worldToScreen(ring.at.x, ring.at.y);
     this.painter_.ring(at, colours, 0.55 + 0.45 * marks.grown(ring.since, scene.now, 90));
     return at;
+  }
+
+  /** In its director's colour. */
+  private drawCursor({ directors, client }: MarkState, { cursor, camera, palette }: MarkScene): void {
+    const accent = directors.get(client)?.colour ?? palette.ink;
+    if (cursor) this.painter_.cursor(camera.worldToScreen(cursor.x, cursor.y), { accent, casing: '#ffffff' });
   }
 
   private drawDraft(draft: DraftControl, scene: MarkScene): void {

@@ -14,6 +14,8 @@ export interface MarkColours {
 
 const kHandle = 22;
 const kRing = 60;
+/** The ring of the cursor, and where the arms of its cross begin and end [CSS px]. */
+const kCursor = { ring: 13, from: 5, to: 21 };
 /** On phones, where fingers would bury the crowd. */
 const kPhoneRing = 38;
 /** Width of a phone's screen, at most [CSS px]. */
@@ -126,12 +128,29 @@ export class MarkPainter {
     for (const dx of [half, -half]) this.cased(stroke(dx), { ...colours, casing: colours.accent }, width, width);
   }
 
-  /** Two bars on a disc: who waits. */
-  pauseBadge(at: ScreenPoint, colours: MarkColours, ink: string): void {
+  /** A raised hand on a disc: who holds. */
+  holdBadge(at: ScreenPoint, colours: MarkColours, ink: string): void {
     this.disc(at, 11.5, colours.casing);
     this.disc(at, 10, colours.accent);
+    const fingers = [-3.6, -1.2, 1.2, 3.6].map((x, i) => [
+      { x, y: [-3, -5.4, -5.6, -4][i]! },
+      { x, y: 2 },
+    ]);
+    for (const parts of [
+      ...fingers,
+      [
+        { x: -6, y: -0.4 },
+        { x: -3, y: 4 },
+      ],
+    ])
+      this.cased(
+        parts.map(({ x, y }) => ({ x: at.x + x, y: at.y + y })),
+        { accent: ink, casing: ink },
+        1.7,
+        1.7,
+      );
     this.pen_.fillStyle = ink;
-    for (const side of [-1, 1]) this.pen_.fillRect(at.x + side * 3 - 1.3, at.y - 4.5, 2.6, 9);
+    this.pen_.fillRect(at.x - 4.4, at.y, 8.8, 5);
   }
 
   /** The head of an arrow where a finger lifted; `angle` on the screen [rad]. */
@@ -159,6 +178,23 @@ export class MarkPainter {
     if (!phone) this.disc(at, radius, withAlpha(colours.accent, 0.13));
     this.circle(at, radius + 1.5, withAlpha(colours.casing, 0.85), 1.5);
     this.circle(at, radius, colours.accent, 2);
+  }
+
+  /** Of the keys: a ring, and a cross that leaves its middle free. */
+  cursor({ x, y }: ScreenPoint, colours: MarkColours): void {
+    const arms = [
+      [1, 0],
+      [-1, 0],
+      [0, 1],
+      [0, -1],
+    ].map(([dx, dy]) => [kCursor.from, kCursor.to].map((r) => ({ x: x + r * dx!, y: y + r * dy! })));
+    for (const [colour, width] of [
+      [colours.casing, 6],
+      [colours.accent, 2.6],
+    ] as const) {
+      for (const arm of arms) this.cased(arm, { accent: colour, casing: colour }, width, width);
+      this.circle({ x, y }, kCursor.ring, colour, width);
+    }
   }
 
   /** A pin that sticks in a handle: it stays where it is. */

@@ -17,6 +17,8 @@ import type { MeshTopology } from './mesh_topology';
 /** Above the ground [m]. */
 const kHeight = 0.014;
 const kFillAlpha = 0.09;
+/** Lines of meshes whose places draw a word or a picture are so much fainter. */
+const kDrawn = 0.35;
 /** Where a metre is this small, lines inside are not seen; where it is twice as large, fully [CSS px]. */
 const kDense = 6;
 
@@ -112,13 +114,14 @@ export class MeshLayer {
     let inside = 0;
     let rim = 0;
     for (const { topology, colour } of meshes) {
+      const strength = topology.drawn ? kDrawn : 1;
       for (let i = 0; i < topology.inside.length; i += 2, ++inside) {
-        this.inside_.setTint(inside, colour, 0.34);
-        this.insideBehind_.setTint(inside, colour, 0.14);
+        this.inside_.setTint(inside, colour, 0.34 * strength);
+        this.insideBehind_.setTint(inside, colour, 0.14 * strength);
       }
       for (let i = 0; i < topology.rim.length; i += 2, ++rim) {
-        this.rim_.setTint(rim, colour, 0.85);
-        this.rimBehind_.setTint(rim, colour, 0.28);
+        this.rim_.setTint(rim, colour, 0.85 * strength);
+        this.rimBehind_.setTint(rim, colour, 0.28 * strength);
       }
     }
     this.rebuildFill(meshes);

@@ -4,6 +4,8 @@ import type { GroupMeshView, Numbers } from '../../model/frame_view';
 
 export interface MeshTopology {
   readonly version: number;
+  /** Its places draw a picture: lines round it are faint. */
+  readonly drawn: boolean;
   readonly triangles: Uint32Array<ArrayBuffer>;
   /** Pairs of vertices. */
   readonly inside: Uint32Array;
@@ -50,6 +52,7 @@ export function makeTopology(mesh: GroupMeshView): MeshTopology {
   }
   return {
     version: mesh.version,
+    drawn: mesh.formation === 'points',
     triangles: Uint32Array.from(mesh.triangles),
     inside: Uint32Array.from(inside),
     rim: Uint32Array.from(rim),

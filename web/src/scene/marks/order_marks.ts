@@ -8,6 +8,7 @@ import { frontLine, outlineOf, placed, widened, type GroupShapes } from '../../m
 import { distance, pointsOf, type GroundPoint, type ScreenPoint } from '../../model/plane';
 import type { CameraController } from '../camera/camera_controller';
 import { accentColour, casingOf, inkOn, type Palette } from '../drawing/palette';
+import type { BarredPicture } from './barred_marks';
 import type { MarkExtent } from './mark_extent';
 import type { MarkColours, MarkPainter } from './mark_painter';
 import { changesShape, drawStations, stationSpots } from './station_marks';
@@ -73,7 +74,11 @@ export interface OrderScene {
   /** The order that is chosen in the list of the queue; 0 for none. */
   readonly picked: number;
   readonly cut: DrawnCut | null;
+  /** Of the keys. */
+  readonly cursor: GroundPoint | null;
   readonly scheme: SchemePicture | null;
+  /** People who cannot be in their places, while they are shown. */
+  readonly barred: readonly BarredPicture[];
 }
 
 const kOthersAlpha = 0.42;
@@ -183,7 +188,7 @@ export class OrderMarks {
     this.drawNumbers(group, legs, colours, scene);
     drawStations(painter, legs, colours, scene);
     if (group.held && legs.length > 0) {
-      painter.pauseBadge(scene.camera.worldToScreen(group.x, group.y), colours, inkOn(scene.palette, colours.accent));
+      painter.holdBadge(scene.camera.worldToScreen(group.x, group.y), colours, inkOn(scene.palette, colours.accent));
     }
   }
 

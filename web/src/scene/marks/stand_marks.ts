@@ -41,12 +41,16 @@ interface Said {
   readonly drawn: { readonly note?: { readonly text: string; readonly warns: boolean } } | null;
 }
 
+/** When groups arrive, and what is said of their places; empty where nothing is known. */
+export function saidOf(forecasts: Said['forecasts'], note = ''): string {
+  return [forecasts.find(({ text }) => text !== '')?.text ?? '', note].filter((one) => one !== '').join(' \u00b7 ');
+}
+
 /** What would come of an order, and what is said of its places; null where there is nothing to say. */
 export function wordsOf({ palette, forecasts, drawn }: Said): Words | null {
   const note = drawn?.note;
-  const parts = [forecasts.find(({ text }) => text !== '')?.text ?? '', note?.text ?? ''].filter((one) => one !== '');
-  if (parts.length === 0) return null;
-  const text = parts.join(' \u00b7 ');
+  const text = saidOf(forecasts, note?.text);
+  if (text === '') return null;
   const alarms = note?.warns === true || forecasts.some(({ arrives }) => !arrives);
   return { text, ink: alarms ? palette.alarm : palette.ink, half: kLetter * text.length + 12 };
 }

@@ -53,7 +53,7 @@ function made(): BuildingLayer {
     addObstacle(builder, obstacle, paletteOf('light'));
     return builder.triangleCount;
   });
-  layer.build(builder, scene.obstacles, ends);
+  layer.build(builder, scene.obstacles, ends, '#000000');
   return layer;
 }
 

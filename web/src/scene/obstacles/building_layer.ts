@@ -11,7 +11,7 @@ import { kCutHeight, outlineOf } from './obstacle_geometry';
 import type { Standing } from './tree_layer';
 
 /** Opacity of a building that hides a character. */
-const kThin = 0.22;
+const kThin = 0.34;
 /** Share of the difference to the wanted opacity that each picture makes up. */
 const kFollow = 0.16;
 /** Height of the middle of a figure, and how near one is to a spot behind a building [m]. */
@@ -59,7 +59,8 @@ export class BuildingLayer {
   }
 
   /** Takes the geometry of these obstacles; `ends`: its triangles after each of them. */
-  build(builder: GeometryBuilder, obstacles: readonly SceneObstacle[], ends: readonly number[]): void {
+  build(builder: GeometryBuilder, obstacles: readonly SceneObstacle[], ends: readonly number[], glow: string): void {
+    this.thin_.emissive.set(glow);
     if (builder.triangleCount === 0) return;
     const geometry: BufferGeometry = builder.build();
     this.share_ = new BufferAttribute(new Float32Array(3 * builder.triangleCount).fill(1), 1);
@@ -99,6 +100,13 @@ export class BuildingLayer {
     if (changes) this.share_.needsUpdate = true;
     if (this.thinMesh_) this.thinMesh_.visible = thin;
     return changes;
+  }
+
+  /** Makes all opaque at once. */
+  solidify(): void {
+    for (const one of this.buildings_) one.solid = one.wanted = 1;
+    (this.share_.array as Float32Array).fill(1);
+    this.share_.needsUpdate = true;
   }
 
   clear(): void {

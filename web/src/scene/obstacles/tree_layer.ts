@@ -113,6 +113,12 @@ export class TreeLayer {
     return changes;
   }
 
+  /** Makes all opaque at once. */
+  solidify(): void {
+    this.solid_.array.fill(1);
+    this.solid_.needsUpdate = true;
+  }
+
   clear(): void {
     for (const mesh of [...this.group.children]) {
       if (!(mesh instanceof InstancedMesh)) continue;

@@ -32,7 +32,8 @@ import { judged } from '../orders/judged_orders';
 import { OrderController } from '../orders/order_controller';
 import { DirectorsController } from '../directors/directors_controller';
 import { AttentionSender } from './attention_sender';
-import { ControlWatch, kKindNames, type ControlNews } from '../../model/control_watch';
+import { ControlAnnouncer } from './control_announcer';
+import { LazyCursor } from '../steer/lazy_cursor';
 import { GhostHand } from '../steer/ghost_hand';
 import { openDialogsLazily } from './lazy_dialogs';
 import { ShapeController } from '../formations/shape_controller';
@@ -47,21 +48,16 @@ import { FileController } from './file_controller';
 import { OwnPeople } from '../steer/own_people';
 import { OwnPeopleCopy } from '../steer/own_people_copy';
 import { SchemeController } from '../steer/scheme_controller';
+import { StandingController } from '../steer/standing_controller';
 import { StudioShell } from './studio_shell';
 import { studioShortcuts } from './studio_shortcuts';
 import { StatsReadout, wantsStats } from './stats_readout';
-import { isLost, type HintStep } from '../../model/studio_state';
+import { isLost } from '../../model/studio_state';
 import type { GroundPoint, ScreenPoint } from '../../model/plane';
 import { pageClock } from '../../model/page_clock';
 import type { Padding } from '../../scene/camera/camera_controls';
 import { fieldScale } from '../../model/field_scale';
 import { StudioStore } from '../../model/studio_store';
-
-const kTried: Record<ControlKind, HintStep> = {
-  [ControlKind.Point]: 'point',
-  [ControlKind.Line]: 'line',
-  [ControlKind.Area]: 'area',
-};
 
 export class StudioApp {
   readonly latency = new LatencyMeter();
@@ -71,7 +67,6 @@ export class StudioApp {
   private scene_: SceneFacts | null = null;
   private sceneRevision_ = 0;
   private readonly reader_ = new FrameReader();
-  private readonly watch_ = new ControlWatch();
   private readonly formations_ = new FormationWatch();
   private readonly demonstrations_ = new DemonstrationWatch();
   readonly camera: CameraController;
@@ -80,6 +75,7 @@ export class StudioApp {
   private readonly attention_: AttentionSender;
   private readonly drafts_: Drafts;
   private readonly hitTest_ = new FormationHitTest();
+  private readonly standing_: StandingController;
   private readonly controller_: StudioController;
   private readonly shell_: StudioShell;
   readonly orders: OrderController;
@@ -90,6 +86,8 @@ export class StudioApp {
   private readonly controls_: VirtualControls;
   private readonly chooser_: ToolChooser;
   private readonly keys_: CrowdKeys;
+  private readonly cursor_ = new LazyCursor();
+  private readonly announcer_: ControlAnnouncer;
   private readonly stats_ = wantsStats(window.location.search) ? new StatsReadout() : null;
 
   constructor(
@@ -117,7 +115,9 @@ export class StudioApp {
       view: view_,
       say,
     });
-    this.controller_ = new StudioController(client_, this.store, this.camera, say, people, this.shapes);
+    this.standing_ = new StandingController(client_, this.store, view_, this.camera, say);
+    this.controller_ = new StudioController(client_, this.store, this.camera, say, people, this.shapes, this.standing_);
+    this.announcer_ = new ControlAnnouncer(this.store, this.controller_, say);
     this.files = new FileController(this.store, this.controller_, this.shapes);
     this.attention_ = new AttentionSender(client_);
     this.drafts_ = new Drafts(
@@ -142,8 +142,8 @@ export class StudioApp {
       orders: this.orders_,
       shapes: (contact) => this.shapes.owner(contact),
     });
-    const eye = { camera: this.camera.hand, screenToWorld: toGround };
-    this.keys_ = new CrowdKeys(eye, this.controls_, this.chooser_, this.middle, say);
+    const hand = { camera: this.camera.hand, screenToWorld: toGround };
+    this.keys_ = new CrowdKeys(hand, this.controls_, this.chooser_, this.middle, say);
     const shortcuts = this.shortcuts();
     this.directors_ = new DirectorsController(client_, this.store, view_, () => client_.clientId, say);
     this.shell_ = new StudioShell(page, this.store, this.controller_, this.orders, this.directors_, shortcuts);
@@ -162,6 +162,17 @@ export class StudioApp {
       () => this.controller_.togglePlay(),
     );
     this.routePointers();
+    this.cursor_.serve({
+      client: this.client_,
+      store: this.store,
+      view: this.view_,
+      canvas: this.canvas_,
+      camera: this.camera.hand,
+      padding: () => this.shell_.padding(),
+      choose: (contact) => this.steered(contact),
+      frame: () => this.frame,
+      say: (text) => this.shell_.live.say(text),
+    });
     followSettings(this.store, this.view_, () => this.shell_.padding());
     new GhostHand(page, this.store, this.view_, () => this.frame?.groups[this.store.state.active] ?? null);
     this.followClient();
@@ -169,12 +180,12 @@ export class StudioApp {
   }
 
   private shortcuts() {
-    const { keys_: keys, controller_: controller, store } = this;
+    const { keys_: keys, controller_: controller, store, cursor_: cursor } = this;
     return studioShortcuts(controller, this.orders, {
-      arrow: (key, long) => keys.arrow(key, long),
+      arrow: (key, long) => (cursor.takesKeys ? cursor.arrow(key, long) : keys.arrow(key, long)),
       zoom: (factor) => keys.zoom(factor),
       turn: (radians) => keys.turn(radians),
-      grabOrDrop: () => keys.grabOrDrop(store.state.active),
+      enter: (shift) => (cursor.takesKeys ? cursor.press(shift) : keys.grabOrDrop(store.state.active)),
       letGo: () => this.letGo(),
       togglePin: () => keys.togglePin(),
       removeControl: () => keys.removeControl(),
@@ -184,6 +195,7 @@ export class StudioApp {
 
   /** Escape drops what is being drawn, then puts the tool away, then ends controls. */
   private letGo(): void {
+    if (this.cursor_.giveUp()) return;
     this.orders_.abort();
     if (this.store.state.tool === 'steer') this.keys_.letGo();
     else this.orders.setTool('steer');
@@ -272,7 +284,7 @@ export class StudioApp {
   private greeted({ scenarios }: Welcome): void {
     this.store.set({ scenarios });
     this.controller_.askOverlayAgain();
-    this.directors_.greeted();
+    this.directors_.greeted(this.client_.clientId);
   }
   private noticed(notice: Notice): void {
     // The server refused these touches, so no frame will show them.
@@ -298,8 +310,8 @@ export class StudioApp {
     this.sceneRevision_ = scene.revision;
     try {
       this.reader_.setScene(scene);
-      const { title, name, credit, demonstration, parameters, areas } = scene;
-      this.store.set({ title, scenario: name, credit, demonstration, parameters, areas, loaded: true });
+      const { title, name, credit, demonstration, parameters, areas, radius: bodyRadius } = scene;
+      this.store.set({ title, scenario: name, credit, demonstration, parameters, areas, bodyRadius, loaded: true });
       const before = this.scene_;
       // A scene comes again when only a parameter or a count changed: nothing looks different then.
       this.view_.orders.setGroups(scene.groups);
@@ -317,6 +329,7 @@ export class StudioApp {
   private forgetWorld(): void {
     this.forgetTouches();
     this.formations_.clear();
+    this.standing_.forgetWorld();
     this.orders.forgetWorld();
     this.camera.forgetWorld();
     this.store.set({ active: 0, notice: null });
@@ -344,24 +357,17 @@ export class StudioApp {
     this.shapes.observe(frame);
     this.latency.echoed(frame.touchEcho, frame.frame, pageClock(receivedAt));
     this.timePicture();
-    this.store.set(this.reader_.change(frame, this.store.state));
+    this.store.set(this.reader_.change(frame, this.store.state, receivedAt));
     this.orders.observe(frame);
     this.directors_.observe(frame.groups);
     this.drafts_.observe(frame);
-    for (const news of this.watch_.observe(frame)) this.announce(news);
+    this.announcer_.observe(frame, this.client_.clientId);
     for (const { name, formation } of this.formations_.observe(this.store.state.groups, frame.step)) {
       this.shell_.live.say(`${name}: ${formation}`);
     }
+    this.standing_.observe(frame);
     const news = this.demonstrations_.observe(frame.demonstrating);
     if (news) this.shell_.live.say(news);
-  }
-
-  private announce(news: ControlNews): void {
-    if (news.client !== this.client_.clientId) return;
-    this.controller_.tried(kTried[news.kind]);
-    const group = this.store.state.groups[news.index];
-    const kind = kKindNames[news.kind];
-    this.shell_.live.say(`${kind} on ${group?.name ?? 'the formation'}`);
   }
 
   private showOverlay(overlay: Overlay): void {

@@ -15,6 +15,7 @@ const recordingCamera = {
 let sent: ClientMessage[];
 let said: string[];
 let seen: { x: number; y: number }[];
+let barred: unknown[];
 let store: StudioStore;
 let controller: StudioController;
 
@@ -22,6 +23,7 @@ beforeEach(() => {
   sent = [];
   said = [];
   seen = [];
+  barred = [];
   store = new StudioStore();
   const client = { send: (message: ClientMessage) => sent.push(message), retry: () => undefined };
   const camera = {
@@ -39,6 +41,7 @@ beforeEach(() => {
       reset: () => undefined,
     },
     { toggleDraw: nothing, holdDraw: nothing, lookAt: nothing, shape: () => ({ spacing: 1.5, places: [] }) },
+    { show: (otherwise) => barred.push(otherwise) },
   );
 });
 
@@ -153,6 +156,9 @@ describe('StudioController', () => {
     store.set({ notice: { type: 'Notice', level: 1, code: 'rejected', text: '', hasPlace: true, x: 3, y: -2 } });
     controller.showNoticePlace();
     expect(seen).toEqual([{ x: 3, y: -2 }]);
+    store.set({ notice: { type: 'Notice', level: 1, code: 'standing', text: '', hasPlace: true, x: 1, y: 2 } });
+    controller.showNoticePlace();
+    expect(barred).toEqual([{ x: 1, y: 2 }]);
   });
   it('toggles layers one by one', () => {
     controller.toggleLayer('paths');

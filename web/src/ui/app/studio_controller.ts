@@ -5,10 +5,13 @@ import { problem } from '../../protocol/problem';
 import type { MessageSender } from '../../link/studio_client';
 import type { ShapeActions } from '../../model/shape_actions';
 import { kHintSteps, type DialogName, type HintStep, type PlacesView } from '../../model/studio_state';
+import { kBeginAgain, kWatch, openingOf, takeOpeningOf, whenAllowed } from '../../model/consent';
 import { kObjectives, objectiveParameters } from '../../model/objective';
 import { formationKind } from '../../model/sequence';
 import type { OwnPeople } from '../steer/own_people';
+import type { StandingController } from '../steer/standing_controller';
 import type { StudioActions } from '../../model/studio_actions';
+import { rememberRecording } from '../takes/recorder';
 import { downloadTake, openTake } from '../takes/takes';
 import { rememberTheme, writeSetting } from '../widgets/theme';
 import type { GroundPoint } from '../../model/plane';
@@ -39,6 +42,9 @@ export type ControllerCamera = Pick<
   'fit' | 'toggleFollow' | 'frameGroup' | 'toggleTop' | 'toggleFlat' | 'saveView' | 'showView'
 > & { lookAt(point: GroundPoint): void };
 
+/** Notices about people who may not be in their places. */
+const kOfStanding: readonly string[] = ['standing', 'stuck', 'noPath', 'partial', 'blocked'];
+
 export class StudioController implements StudioActions {
   /** `say` speaks to the live region. */
   constructor(
@@ -48,6 +54,7 @@ export class StudioController implements StudioActions {
     private readonly say_: (text: string) => void,
     private readonly people_: Pick<OwnPeople, 'open' | 'reset'>,
     private readonly shapes_: Pick<ShapeActions, 'toggleDraw' | 'holdDraw' | 'lookAt' | 'shape'>,
+    private readonly standing_: Pick<StandingController, 'show'>,
   ) {}
 
   togglePlay(): void {
@@ -61,6 +68,12 @@ export class StudioController implements StudioActions {
   }
 
   restart(): void {
+    // In a take it is a seek, which harms nobody.
+    if (this.store_.state.replaying) return this.beginAgain();
+    whenAllowed(this.store_, kBeginAgain, () => this.beginAgain());
+  }
+
+  private beginAgain(): void {
     const { playing } = this.store_.state;
     this.client_.send({ type: 'Playback', action: PlaybackAction.Restart });
     // Who paused looks at the start before going on.
@@ -72,7 +85,8 @@ export class StudioController implements StudioActions {
     const { demonstration, demonstrating } = this.store_.state;
     if (demonstrating) return this.restart();
     if (!demonstration) return this.say_('There is nothing to watch here');
-    this.client_.send({ type: 'Playback', action: PlaybackAction.Demonstrate });
+    const action = PlaybackAction.Demonstrate;
+    whenAllowed(this.store_, kWatch, () => this.client_.send({ type: 'Playback', action }));
   }
 
   nextSpeed(back = false): void {
@@ -87,6 +101,7 @@ export class StudioController implements StudioActions {
       return;
     }
     const on = this.store_.state.recorded < 0;
+    if (on) rememberRecording(true);
     this.client_.send({ type: 'Record', on });
     this.say_(on ? 'Recording' : 'Recording stopped');
   }
@@ -100,7 +115,8 @@ export class StudioController implements StudioActions {
   }
 
   openTake(file: File): void {
-    void openTake(file).then((text) => this.tell(text));
+    const open = (): void => void openTake(file).then((text) => this.tell(text));
+    whenAllowed(this.store_, takeOpeningOf(file.name.replace(/\.take$/, '')), open);
   }
 
   openCharacter(files: readonly File[]): void {
@@ -122,8 +138,11 @@ export class StudioController implements StudioActions {
   }
 
   loadScenario(name: string): void {
-    this.setOverlay(OverlayKind.None, -1);
-    this.client_.send({ type: 'LoadScenario', name });
+    const title = this.store_.state.scenarios.find((one) => one.name === name)?.title || name;
+    whenAllowed(this.store_, openingOf(title), () => {
+      this.setOverlay(OverlayKind.None, -1);
+      this.client_.send({ type: 'LoadScenario', name });
+    });
   }
 
   setObjective(index: number): void {
@@ -131,7 +150,7 @@ export class StudioController implements StudioActions {
       ({ name, value }) => ({ kind: 'parameter', name, value }) as const,
     );
     if (commands.length > 0) this.client_.send({ type: 'Commands', commands });
-    this.say_(`Plans: ${kObjectives[index]!.label.toLowerCase()}`);
+    this.say_(`Spots are given for: ${kObjectives[index]!.label.toLowerCase()}`);
   }
 
   setFormation(name: string): void {
@@ -174,7 +193,7 @@ export class StudioController implements StudioActions {
   /** The character whose cost is shown. */
   chooseCharacter(id: number): void {
     this.setOverlay(OverlayKind.Cost, id);
-    this.say_(`Cost of character ${id}`);
+    this.say_(`Effort of person ${id}`);
   }
 
   openDialog(dialog: DialogName): void {
@@ -232,7 +251,14 @@ export class StudioController implements StudioActions {
 
   showNoticePlace(): void {
     const { notice } = this.store_.state;
-    if (notice?.hasPlace) this.camera_.lookAt({ x: notice.x, y: notice.y });
+    if (!notice?.hasPlace) return;
+    const spot = { x: notice.x, y: notice.y };
+    if (kOfStanding.includes(notice.code)) this.standing_.show(spot);
+    else this.camera_.lookAt(spot);
+  }
+
+  showBarred(): void {
+    this.standing_.show();
   }
 
   dismissNotice(): void {

@@ -46,7 +46,23 @@ const kSide = 14;
 
 /** At the upper and the lower edge. */
 const kEdges: readonly PanelName[] = ['scenario', 'groups', 'layers', 'phone-bar', 'readout'];
-const kNeedServer = ['scenario', 'formations', 'playback', 'empty', 'orders', 'queue'] as const satisfies PanelName[];
+/** What can do nothing without the server. */
+const kNeedServer: readonly PanelName[] = [
+  'scenario',
+  'groups',
+  'directors',
+  'formations',
+  'playback',
+  'empty',
+  'orders',
+  'queue',
+  'sequence',
+  'try',
+  'build',
+  'paths',
+  'time-line',
+  'take-card',
+];
 
 /** What tells of losses, messages and a control that is in use, below each other. */
 function bannersOf(store: StudioStore, actions: StudioActions): HTMLElement {
@@ -112,7 +128,7 @@ export class StudioShell {
     pressWithExtraFingers(this.page_);
     store_.watch(['layout'], ({ layout }) => this.layout_.show(layout));
     store_.watch(['link', 'loaded'], (state) => {
-      for (const name of kNeedServer) panels[name]!.inert = isLost(state);
+      this.layout_.setInert(isLost(state) ? kNeedServer : []);
     });
   }
 

@@ -12,7 +12,7 @@ export interface KeyTools {
   arrow(key: ArrowKey, long: boolean): void;
   zoom(factor: number): void;
   turn(radians: number): void;
-  grabOrDrop(): void;
+  enter(shift: boolean): void;
   letGo(): void;
   togglePin(): void;
   removeControl(): void;
@@ -29,9 +29,15 @@ function crowdKeys(tools: KeyTools): Shortcut[] {
       group: 'Crowd',
       match: ['Enter'],
       sceneOnly: true,
-      run: () => tools.grabOrDrop(),
+      run: ({ shiftKey }) => tools.enter(shiftKey),
     },
     { keys: '← ↑ → ↓', does: 'carry it (Shift: farther)', group: 'Crowd', match: [] },
+    {
+      keys: 'O Enter ← ↑ → ↓ Enter',
+      does: 'with an order tool or X: a cursor begins, draws and ends; Esc gives up',
+      group: 'Orders',
+      match: [],
+    },
     {
       keys: 'P',
       does: 'pins the control under the pointer, or the newest',
@@ -62,13 +68,13 @@ function orderKeys(orders: OrderActions): Shortcut[] {
   return [
     key('O', 'order tool: press or drag on the ground', () => orders.toggleTool('order')),
     key('X', 'cutting tool: divides and joins', ({ shiftKey }) => orders.toggleTool(shiftKey ? 'leave' : 'cut')),
-    key('J', 'follow: then press on a group', () => orders.toggleTool('follow')),
+    key('J', 'follow a group: then press on it', () => orders.toggleTool('follow')),
     key('U', 'guard: then drag a rectangle', ({ shiftKey }) => orders.toggleTool(shiftKey ? 'wait' : 'guard')),
     { keys: 'Shift+X', does: 'leave: then press on an exit', group: 'Orders', match: [] },
     { keys: 'Shift+U', does: 'wait: then press on a waiting area', group: 'Orders', match: [] },
     key('/', 'directing by words', () => orders.toggleWords()),
     key('S', 'stop', () => orders.stop()),
-    key('K', 'hold, or go on', () => orders.toggleHold()),
+    key('K', 'hold (stand still, keep the orders), or go on', () => orders.toggleHold()),
     key('B', 'patrol, or end it', () => orders.togglePatrol()),
     key('Y', 'skip to the next order', () => orders.skipOrder()),
     key('A', 'all groups', () => orders.chooseAll()),
@@ -136,7 +142,7 @@ function timeKeys(actions: StudioActions): Shortcut[] {
     { keys: 'R', does: 'records a take, and stops', group: 'Time', match: ['r'], run: () => actions.toggleRecord() },
     {
       keys: 'W',
-      does: 'watches what the scenario shows, and stops',
+      does: 'watches what the place shows, and stops',
       group: 'Time',
       match: ['w'],
       run: () => actions.toggleDemonstration(),
@@ -176,7 +182,7 @@ function cameraKeys(actions: StudioActions, tools: KeyTools): Shortcut[] {
     { keys: 'F', does: 'fits crowd and paths', group: 'Camera', match: ['f'], run: () => actions.fit() },
     {
       keys: 'I',
-      does: 'follows the crowd, or stays',
+      does: 'tracks the crowd, or stays',
       group: 'Camera',
       match: ['i'],
       run: () => actions.toggleFollow(),
@@ -221,11 +227,11 @@ function showKeys(actions: StudioActions): Shortcut[] {
     run,
   });
   return [
-    key('M', 'mesh', () => actions.toggleLayer('mesh')),
-    key('L', 'places', () => actions.toggleLayer('places')),
+    key('M', 'mesh of the formation', () => actions.toggleLayer('mesh')),
+    key('L', 'spots where people shall stand', () => actions.toggleLayer('places')),
     key('T', 'paths', () => actions.toggleLayer('paths')),
-    key('V', 'field of obstacles', () => actions.toggleOverlay(OverlayKind.Field)),
-    key('C', 'cost of a character', () => actions.toggleOverlay(OverlayKind.Cost)),
+    key('V', 'push of obstacles', () => actions.toggleOverlay(OverlayKind.Field)),
+    key('C', 'effort of a person’s ways', () => actions.toggleOverlay(OverlayKind.Cost)),
     key('D', 'density', () => actions.toggleOverlay(OverlayKind.Density)),
     key('0', 'a clean picture, without marks and panels', () => actions.toggleClean()),
     key('N', 'light or dark', () => actions.toggleTheme()),

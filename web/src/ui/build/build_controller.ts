@@ -73,7 +73,10 @@ export class BuildController implements StrokeHost, BuildActions {
     client.on('overlay', (overlay) => {
       if (overlay.kind === OverlayKind.Reach) this.layer_.setReach(overlay);
     });
-    client.on('welcome', () => this.askReach());
+    client.on('welcome', () => {
+      if (this.open_) client.send({ type: 'Build', on: true });
+      this.askReach();
+    });
     client.on('notice', ({ code }) => this.refused(code));
     parts_.store.watch(['history'], ({ history }) => this.panel_.setHistory(history));
     parts_.store.watch(['playing'], ({ playing }) => this.panel_.setPlaying(playing));
@@ -89,8 +92,8 @@ export class BuildController implements StrokeHost, BuildActions {
     this.panel_.root.hidden = !open;
     this.strokes_.drop();
     this.showLayers();
+    this.parts_.client.send({ type: 'Build', on: open });
     if (!open) return this.close();
-    this.parts_.client.send({ type: 'Playback', action: PlaybackAction.Pause });
     this.askReach();
     this.panel_.focus();
     requestAnimationFrame(this.drawn);

@@ -36,7 +36,7 @@ describe('DirectorsController', () => {
   it('tells the server the name that the browser kept, and keeps a new one', () => {
     vi.stubGlobal('fetch', () => Promise.reject(new Error('no server')));
     const { controller, sent, kept } = made({ [kNameKey]: 'Anna' });
-    controller.greeted();
+    controller.greeted(1);
     expect(sent).toEqual([{ type: 'SetName', name: 'Anna' }]);
     controller.rename(' Ben ');
     expect(sent[1]).toEqual({ type: 'SetName', name: ' Ben ' });
@@ -68,7 +68,7 @@ describe('DirectorsController', () => {
     const invitation = { links: ['http://192.168.0.2:8080/?token=a'], code: ['101'] };
     vi.stubGlobal('fetch', () => Promise.resolve({ ok: true, json: () => Promise.resolve(invitation) }));
     const { controller, store } = made();
-    controller.greeted();
+    controller.greeted(1);
     await vi.waitFor(() => expect(store.state.invitation).toEqual(invitation));
   });
 });

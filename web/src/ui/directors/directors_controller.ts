@@ -1,6 +1,6 @@
 // Several directors: who is there, what each holds and may direct, and how others come in.
 
-import { ask } from '../../link/answers';
+import { ask, setOwnNumber } from '../../link/answers';
 import type { MessageSender } from '../../link/studio_client';
 import {
   directorInfos,
@@ -11,7 +11,7 @@ import {
 } from '../../model/directors';
 import type { GroupView } from '../../model/frame_view';
 import type { StudioStore } from '../../model/studio_store';
-import type { DirectorFrame } from '../../protocol/messages';
+import { PlaybackAction, type DirectorFrame } from '../../protocol/messages';
 import { readSetting, writeSetting } from '../widgets/theme';
 
 export const kNameKey = 'muster.name';
@@ -35,7 +35,8 @@ export class DirectorsController implements DirectorActions {
   ) {}
 
   /** After each welcome: the server learns the name that this browser kept. */
-  greeted(): void {
+  greeted(own: number): void {
+    setOwnNumber(own);
     const name = readSetting(this.storage_, kNameKey);
     if (name) this.client_.send({ type: 'SetName', name });
     void this.askInvitation();
@@ -67,6 +68,10 @@ export class DirectorsController implements DirectorActions {
 
   giveGroup(client: number, group: number): void {
     this.client_.send({ type: 'GiveGroup', client, group });
+  }
+
+  goBack(): void {
+    this.client_.send({ type: 'Playback', action: PlaybackAction.GoBack });
   }
 
   copyLink(link: string): void {

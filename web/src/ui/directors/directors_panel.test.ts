@@ -20,7 +20,7 @@ const kGroups = [
 ];
 
 function made() {
-  const actions = { rename: vi.fn(), giveGroup: vi.fn(), copyLink: vi.fn() };
+  const actions = { rename: vi.fn(), giveGroup: vi.fn(), copyLink: vi.fn(), goBack: vi.fn() };
   const store = new StudioStore();
   const panel = new DirectorsPanel(store, actions);
   document.body.append(panel.root);
@@ -36,7 +36,7 @@ describe('DirectorsPanel', () => {
     expect(root.hidden).toBe(true);
     store.set({ directors: [director(1, 'Anna'), director(2, 'Ben')] });
     expect(root.hidden).toBe(false);
-    store.set({ directors: [director(1, 'Anna')], invitation: { links: ['http://a/'], code: ['1'] } });
+    store.set({ directors: [director(1, 'Anna')], invitation: { links: ['http://a/'], code: ['1'], site: '' } });
     expect(root.hidden).toBe(false);
   });
 
@@ -68,7 +68,7 @@ describe('DirectorsPanel', () => {
 
   it('shows the link with its code', () => {
     const { store, root, actions } = made();
-    store.set({ invitation: { links: ['http://192.168.0.2:8080/?token=a'], code: ['1101', '0010'] } });
+    store.set({ invitation: { links: ['http://192.168.0.2:8080/?token=a'], code: ['1101', '0010'], site: '' } });
     expect(root.querySelector('code')!.textContent).toContain('192.168.0.2');
     expect(root.querySelector('.qr path')!.getAttribute('d')).toBe('M4 4h2v1h-2zM7 4h1v1h-1zM6 5h1v1h-1z');
     [...root.querySelectorAll('button')].find((one) => one.textContent?.includes('Copy'))!.click();

@@ -2,12 +2,13 @@
 
 import { Component, type VNode } from 'preact';
 import { initialOf, type DirectorActions, type DirectorInfo, type Invitation } from '../../model/directors';
+import { backText } from '../../model/shared_news';
 import type { GroupInfo } from '../../model/studio_state';
 import type { StudioStore } from '../../model/studio_store';
 import { Icon } from '../widgets/buttons';
 import { element } from '../widgets/dom';
 import { Held } from '../widgets/held';
-import { Menu } from '../widgets/menu';
+import { Menu, MenuItem } from '../widgets/menu';
 import { drawPanel } from '../widgets/panel';
 import { qrPicture } from '../widgets/qr_picture';
 
@@ -123,10 +124,13 @@ export class DirectorsPanel {
   readonly root = element('div', { class: 'directors panel' });
 
   constructor(store: StudioStore, actions: DirectorActions) {
-    store.watch(['directors', 'invitation'], ({ directors, invitation }) => {
-      this.root.hidden = directors.length < 2 && invitation.links.length === 0;
+    store.watch(['directors', 'invitation', 'shared'], ({ directors, invitation, shared }) => {
+      this.root.hidden = directors.length < 2 && invitation.links.length === 0 && shared.before === '';
     });
-    drawPanel(this.root, store, ['directors', 'invitation', 'groups'], ({ directors, invitation, groups }) => {
+    drawPanel(this.root, store, ['directors', 'invitation', 'groups', 'shared', 'title'], (state) => {
+      const { invitation, groups, shared } = state;
+      // Who is alone needs no name.
+      const directors = state.directors.length > 1 ? state.directors : [];
       const faces = (
         <span class="faces" aria-hidden="true">
           {directors.slice(0, kFaces).map((one) => (
@@ -145,13 +149,16 @@ export class DirectorsPanel {
       } as const;
       return (
         <Menu opener={opener} class="directors-panel" label="Directors" placement="bottom-end">
-          {() => (
+          {(close) => (
             <>
-              <ul class="director-list">
+              <ul class="director-list" hidden={directors.length === 0}>
                 {directors.map((one) => (
                   <Row key={one.client} one={one} groups={groups} actions={actions} />
                 ))}
               </ul>
+              {shared.before !== '' && (
+                <MenuItem icon="undo" label={backText(state)} close={close} act={() => actions.goBack()} />
+              )}
               <Invite invitation={invitation} actions={actions} />
             </>
           )}

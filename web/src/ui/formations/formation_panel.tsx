@@ -37,7 +37,7 @@ export const kFormations: readonly FormationChoice[] = [
 const kTips = {
   text: 'Words as a formation',
   draw: 'Draw an outline on the ground as a formation; hold it and draw with another finger',
-  shape: 'Mirror, turn, loosen, save; a picture as a formation',
+  shape: 'Mirror, turn, loosen, save; a picture or a QR code as a formation',
 } as const;
 /** What the server calls shapes that are no part of the library. */
 const kOwnShapes: Readonly<Record<string, string>> = { outline: 'draw', points: 'more' };
@@ -106,6 +106,16 @@ function shownOf({ groups, active, tool }: StudioState): string | undefined {
   return kOwnShapes[formation ?? ''] ?? formation;
 }
 
+/** Where tiles are scrolled, the pressed one is in sight. */
+function reveal(list: HTMLElement): void {
+  const box = list.querySelector('[aria-pressed="true"]')?.getBoundingClientRect();
+  const scroller = list.scrollWidth > list.clientWidth ? list : list.parentElement!;
+  const room = scroller.getBoundingClientRect();
+  if (!box || box.width === 0) return;
+  scroller.scrollLeft += Math.max(0, box.right - room.right) - Math.max(0, room.left - box.left);
+  scroller.scrollTop += Math.max(0, box.bottom - room.bottom) - Math.max(0, room.top - box.top);
+}
+
 export class FormationPanel {
   readonly root = element('section', { class: 'formations panel', 'aria-label': 'Formation' });
 
@@ -135,6 +145,13 @@ export class FormationPanel {
         </>
       );
     });
-    new ToolbarFocus(this.root.querySelector<HTMLElement>('.formation-list')!, store);
+    const list = this.root.querySelector<HTMLElement>('.formation-list')!;
+    new ToolbarFocus(list, store);
+    let seen = '';
+    store.watch(['groups', 'active', 'tool', 'layout'], (state) => {
+      const shown = `${shownOf(state)} ${state.layout}`;
+      if (shown !== seen) requestAnimationFrame(() => reveal(list));
+      seen = shown;
+    });
   }
 }

@@ -6,11 +6,12 @@ import { areaOf, centreOf, outlineFrom } from '../../model/outline';
 import type { GroundPoint } from '../../model/plane';
 import type { Design, NewGroup, ShapeActions } from '../../model/shape_actions';
 import { formationKind, type FormationWords } from '../../model/sequence';
-import type { OwnShape } from '../../model/shape_edit';
+import { forCount, mirrored, turned, type OwnShape } from '../../model/shape_edit';
 import type { StandPose } from '../../model/stand';
 import type { StudioFrame } from '../../model/studio_frame';
 import type { StudioStore } from '../../model/studio_store';
 import type { Vec2 } from '../../protocol/generated/commands';
+import { NoticeLevel } from '../../protocol/messages';
 import { problem } from '../../protocol/problem';
 import type { Contact, ContactOwner } from '../../tools/contact';
 import { OutlineDraw, PlacePress, type OutlineSink } from '../../tools/outline_draw';
@@ -23,8 +24,6 @@ const kSpacing = { least: 0.7, most: 3 };
 const kLattice = Math.sqrt(3) / 2;
 /** An outline drawn so near to the middle of the group changes its shape where it is [m]. */
 const kHere = 4;
-/** Neighbours in words stand so far apart [m]. */
-const kWordGap = 0.9;
 const kStyle = { manner: 'march', turn: 'keep', mode: 'replace' } as const;
 
 /** A key or a button that is held no longer is pressed [ms]. */
@@ -112,15 +111,31 @@ export class ShapeController implements ShapeActions, OutlineSink {
     if (tool === 'draw' && (!isPress || hold.was)) this.toggleDraw();
   }
 
-  words(places: readonly GroundPoint[], gap: number): OwnShape {
-    const scale = kWordGap / Math.max(gap, 1e-9);
-    // Words are read from where the visitor looks: their right is the picture's right.
-    const turn = this.host_.view.camera.pose.turn - this.active().facing;
-    const [c, s] = [Math.cos(turn), Math.sin(turn)];
-    return {
-      spacing: kWordGap,
-      places: places.map(({ x, y }) => ({ x: scale * (c * x - s * y), y: scale * (s * x + c * y) })),
-    };
+  asSeen(places: readonly GroundPoint[], spacing: number): OwnShape {
+    return turned({ spacing, places }, this.viewTurn());
+  }
+
+  seen(shape: OwnShape): GroundPoint[] {
+    return [...turned(shape, -this.viewTurn()).places];
+  }
+
+  mirrored(shape: OwnShape): OwnShape {
+    return mirrored(shape, this.viewTurn() + Math.PI / 2);
+  }
+
+  /** From the group's axes to the picture's: its right lies so far to the left of the group's front [rad]. */
+  private viewTurn(): number {
+    return this.host_.view.camera.pose.turn - this.active().facing;
+  }
+
+  setPeople(count: number): void {
+    const { group } = this.active();
+    const shape = this.shape();
+    if (!group) return;
+    // Places of one's own have to be as many as there are people.
+    const own = group.formation === 'points' && shape ? { formation: formationOf(forCount(shape, count)) } : {};
+    this.send([{ kind: 'changeGroup', group: group.id, count, ...own }]);
+    this.host_.say(`${group.name}: ${count} people`);
   }
 
   shape(): OwnShape | null {
@@ -144,9 +159,11 @@ export class ShapeController implements ShapeActions, OutlineSink {
   takeShape(shape: OwnShape, title: string): void {
     const { group } = this.active();
     if (!group) return;
+    const { stand } = this.host_.store.state;
     this.endTry('drop');
     this.send([{ kind: 'changeGroup', group: group.id, formation: formationOf(shape) }]);
-    this.host_.say(`${group.name}: ${title}`);
+    if (!stand?.warns) return this.host_.say(`${group.name}: ${title}`);
+    this.host_.store.set({ notice: { ...problem('places', `${title}: ${stand.text}.`), level: NoticeLevel.Warning } });
   }
 
   lookAt(formation: string | OwnShape | null): void {

@@ -8,12 +8,12 @@ import { ChoiceRow, Dial, SwitchRow } from '../widgets/settings_rows';
 
 const kWays = ['In formation, waiting for the last', 'Each by the shortest way (Alt)'];
 const kTurnTips = [
-  'Faces along its way',
-  'Its rear becomes its front',
-  'Faces one way until it has arrived',
-  'Each to a near place: arrives first',
+  'Turns as a whole, its front ahead',
+  'Turns on the spot: its rear becomes its front',
+  'Keeps its front where it is, and walks sideways or backwards',
+  'Everybody takes a near spot in the new place: arrives first',
 ];
-const kStanceTips = ['Both make room', 'Holds its ground', 'Makes room'];
+const kStanceTips = ['Both groups make room', 'Goes straight on, others make room', 'Makes room for others'];
 
 export interface ConductSettingsProps {
   readonly style: StudioState['style'];
@@ -54,20 +54,22 @@ export function ConductSettings({ style, conduct, actions }: ConductSettingsProp
         act={(stance) => actions.setConduct({ stance })}
       />
       <Dial
-        title="Cohesion"
+        title="Stay together"
+        tip="How far everybody keeps the pace of the slowest"
         ends={['own pace', 'the slowest’s']}
         value={conduct.cohesion}
         act={(cohesion) => actions.setConduct({ cohesion })}
       />
       <Dial
-        title="Squeeze"
+        title="Narrow"
+        tip="How far the formation gives up its width at a gap"
         ends={['keeps its width', 'gives it up']}
         value={conduct.squeeze}
         act={(squeeze) => actions.setConduct({ squeeze })}
       />
       <SwitchRow
         title="Give way"
-        tip="Its mesh keeps clear of others and of moving obstacles"
+        tip="Bends away from other groups and from moving obstacles"
         on={conduct.avoids}
         act={(avoids) => actions.setConduct({ avoids })}
       />

@@ -46,6 +46,7 @@ beforeEach(() => {
   const scene = {
     orders: {
       previewOrder: () => undefined,
+      gaveOrder: () => undefined,
       previewCut: () => undefined,
       previewForecasts: () => undefined,
       setWays: () => undefined,

@@ -37,6 +37,8 @@ import { QueueController, type QueueScene } from './queue_controller';
 export interface OrderControllerScene {
   readonly orders: QueueScene & {
     previewOrder(preview: OrderPreview | null): void;
+    /** The order was given: what is wrong with it is still told for a while. */
+    gaveOrder(given: OrderPreview): void;
     previewCut(preview: CutPreview | null): void;
   };
   previewControl(groupIndex: number, points: readonly GroundPoint[] | null, closed: boolean): void;
@@ -169,6 +171,8 @@ export class OrderController implements OrderActions, OrderSink, CutSink, BoxSin
   move(moves: readonly PlannedMove[], keys: Keys): void {
     const style = this.styleOf(keys);
     this.give(moves.map((move) => moveCommand(move.group, move, style, this.queues.spotOf(move.group, keys.shift))));
+    this.say_('Order given');
+    this.scene_.orders.gaveOrder({ moves, rectangle: [], route: [] });
   }
 
   guard(centre: GroundPoint, halfSize: GroundPoint, facing: number, keys: Keys): void {

@@ -73,7 +73,7 @@ it('undoes only where there is something to undo', () => {
 
 it('has the dials of the active group, and sets them', () => {
   store.set({ units: [{ ...unit, conduct: { stance: 'yield', cohesion: 0.25, squeeze: 0.5, avoids: true } }] });
-  const cohesion = find('input[aria-label="Cohesion"]') as HTMLInputElement;
+  const cohesion = find('input[aria-label="Stay together"]') as HTMLInputElement;
   expect(cohesion.value).toBe('25');
   cohesion.value = '60';
   cohesion.dispatchEvent(new Event('change'));

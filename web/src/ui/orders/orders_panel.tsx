@@ -42,7 +42,7 @@ const kTools: readonly ToolDef[] = [
     key: 'X',
     tip: 'Draw across a formation to divide it, from one to another to join them',
   },
-  { tool: 'follow', icon: 'follow', label: 'Follow', key: 'J', tip: 'Then press on the group to follow' },
+  { tool: 'follow', icon: 'follow', label: 'Follow', key: 'J', tip: 'Walks behind another group: press on it' },
   { tool: 'guard', icon: 'guard', label: 'Guard', key: 'U', tip: 'Then drag the rectangle to guard' },
   {
     tool: 'leave',
@@ -104,7 +104,12 @@ function Tools({ state, actions }: Props): VNode {
 function Buttons({ state, actions }: Props): VNode {
   const unit = unitOf(state);
   const { undo, undoLabel, redo, redoLabel } = state.history;
-  const conduct = { icon: 'dials', label: 'Conduct', class: 'order-tile', tip: 'How orders are carried out' } as const;
+  const conduct = {
+    icon: 'dials',
+    label: 'Conduct',
+    class: 'order-tile',
+    tip: 'How the group walks, turns and meets others',
+  } as const;
   return (
     <div class="order-buttons">
       <Tile
@@ -122,7 +127,7 @@ function Buttons({ state, actions }: Props): VNode {
         label={unit.held ? 'Go on' : 'Hold'}
         shortcut="K"
         pressed={unit.held}
-        tip="Waits; the queue stays"
+        tip="Stands still and keeps its orders"
         act={() => actions.toggleHold()}
       />
       <Tile
@@ -130,7 +135,7 @@ function Buttons({ state, actions }: Props): VNode {
         label="Patrol"
         shortcut="B"
         pressed={unit.patrols}
-        tip="Its orders again and again"
+        tip="Goes through its orders again and again"
         act={() => actions.togglePatrol()}
       />
       <Menu opener={conduct} class="order-details" label="Conduct" placement="left-start" besidePanel>

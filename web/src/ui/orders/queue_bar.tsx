@@ -132,8 +132,8 @@ export class QueueBar {
         />
         <Act
           icon="places"
-          label="Formations"
-          tip="Formations that are taken up along the way"
+          label="On the way"
+          tip="Formations that the group changes to on the way"
           act={() => this.store_.set({ sequencing: true })}
         />
         <Act icon="step" label="Skip" shortcut="Y" tip="Goes on to the next order" act={() => actions.skipOrder()} />

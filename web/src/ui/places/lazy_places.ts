@@ -1,7 +1,7 @@
 // Places are loaded when somebody opens their dialog, edits, or has something of theirs to see.
 
 import { problem } from '../../protocol/problem';
-import { hasAutosave } from './place_autosave';
+import { hasAutosave, placeBefore, rememberPlace } from './place_autosave';
 import type { PlaceController, PlaceParts } from './place_controller';
 import { placesWithScenery } from './place_shelf';
 
@@ -24,13 +24,19 @@ export function openPlacesLazily(parts: PlaceParts): void {
   });
   // Another place has its welcome, too: a server is asked once.
   let isNew = true;
-  client.on('link', ({ phase }) => (isNew ||= phase !== 'open'));
+  let was = placeBefore();
+  client.on('link', ({ phase }) => {
+    if (phase === 'open' || isNew) return;
+    isNew = true;
+    was = store.state.title;
+  });
   client.on('welcome', () => {
     const asks = isNew && hasAutosave();
     isNew = false;
-    if (asks) loaded().then((one) => one.offerKept(), failed);
+    if (asks) loaded().then((one) => one.offerKept(was), failed);
   });
-  store.watch(['title'], ({ title }) => {
+  store.watch(['title', 'replaying'], ({ title, replaying }) => {
+    if (title !== '' && !replaying) rememberPlace(title);
     if (!controller && placesWithScenery(() => window.localStorage).includes(title)) loaded().catch(failed);
   });
 }

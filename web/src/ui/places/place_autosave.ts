@@ -21,6 +21,25 @@ export interface AutosaveParts {
   readonly storage?: () => Storage;
 }
 
+/** The place that was shown when the page was left. */
+const kHereKey = 'muster.place';
+
+export function placeBefore(storage: () => Storage = () => window.localStorage): string {
+  try {
+    return storage().getItem(kHereKey) ?? '';
+  } catch {
+    return '';
+  }
+}
+
+export function rememberPlace(title: string, storage: () => Storage = () => window.localStorage): void {
+  try {
+    storage().setItem(kHereKey, title);
+  } catch {
+    // Without storage the newest copy is offered.
+  }
+}
+
 export function hasAutosave(storage: () => Storage = () => window.localStorage): boolean {
   try {
     return storage().getItem(kKeptKey) !== null;
@@ -88,10 +107,16 @@ export class PlaceAutosave {
     this.timer_ = 0;
   }
 
-  /** The newest copy that the server's place is not, and that the visitor has not seen. */
-  async lost(): Promise<KeptPlace | null> {
+  /** It is kept on purpose, by that name. */
+  saved(name: string): void {
+    this.write(kKeptKey, name);
+  }
+
+  /** The newest copy of the place that was shown before, where the server's place is another, and the visitor has not seen
+   * it. `was`: the title of that place; empty where nobody knows. */
+  async lost(was: string): Promise<KeptPlace | null> {
     try {
-      const newest = (await this.parts_.shelf.list()).find((one) => one.auto);
+      const newest = (await this.parts_.shelf.list()).find((one) => (was === '' ? one.auto : one.name === was));
       if (!newest || newest.changed <= this.seen()) return null;
       const [here, kept] = await Promise.all([this.parts_.link.read(), this.parts_.shelf.read(newest.id)]);
       if (here === kept) return null;

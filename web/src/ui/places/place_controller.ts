@@ -1,6 +1,7 @@
 // Places in the page: the dialog, the browser's shelf, import, autosave, and models that are shown as scenery.
 
 import type { StudioClient } from '../../link/studio_client';
+import { allowed, openingOf } from '../../model/consent';
 import { sentenceOf } from '../../model/file_trouble';
 import { fileNameOf, freeName, type KeptPlace } from '../../model/place_files/kept_place';
 import { movedTo, type Imported, type ImportSettings, type ImportSource } from '../../model/place_files/imports';
@@ -13,7 +14,7 @@ import { sceneryOf, type SceneryModel } from '../../model/place_files/scenery';
 import type { Template } from '../../model/place_files/templates';
 import type { PlacesView } from '../../model/studio_state';
 import type { StudioStore } from '../../model/studio_store';
-import { NoticeLevel, type EditHistory } from '../../protocol/messages';
+import { NoticeLevel, type EditHistory, type PlaceKept } from '../../protocol/messages';
 import { problem } from '../../protocol/problem';
 import type { StudioScene } from '../../scene/studio_scene';
 import '../styles/shelf.css';
@@ -30,6 +31,8 @@ import { saveBlob } from '../../link/answers';
 const kPicture = { width: 320, height: 180 };
 /** A picture that takes longer is done without [ms]. */
 const kPictureWait = 1500;
+/** The server's answer is waited for so long [ms]. */
+const kAnswerWait = 8000;
 
 export interface PlaceParts {
   readonly client: StudioClient;
@@ -125,6 +128,7 @@ export class PlaceController implements PlaceActions {
 
   /** Opens a file for everybody; `models` are shown in it. */
   private async open(text: string, name: string, models?: readonly SceneryModel[]): Promise<void> {
+    if (!(await allowed(this.parts_.store, openingOf(name)))) return;
     await this.autosave_.flush();
     const known = models ?? (await this.shelf_.scenery(name));
     await this.link_.open(text, name);
@@ -214,20 +218,53 @@ export class PlaceController implements PlaceActions {
 
   // Saving.
 
-  savePresent(name: string): void {
-    void this.tried(async () => {
-      const text = await this.link_.read();
-      const present = this.parts_.store.state.title;
-      await this.shelf_.save(name, text, await this.picture());
-      if (name !== present) await this.shelf_.keepScenery(name, await this.shelf_.scenery(present));
-      const auto = (await this.shelf_.list()).find((one) => one.auto && one.name === present);
-      if (auto) await this.shelf_.remove(auto.id);
-      this.dialog_.saySaved(
-        this.shelf_.lasting
-          ? `“${name}” is saved in this browser.`
-          : `This browser keeps “${name}” only until the page is left: download it, too.`,
-      );
+  /** The server keeps the place by its new name where it can; this browser always does. */
+  private async keep(wanted: string): Promise<PlaceKept> {
+    const { client } = this.parts_;
+    const answer = new Promise<PlaceKept>((done, failed) => {
+      const stop = client.on('placeKept', (kept) => {
+        stop();
+        done(kept);
+      });
+      window.setTimeout(() => failed(new Error('The server does not answer: try again.')), kAnswerWait);
     });
+    client.send({ type: 'KeepPlace', title: wanted });
+    const kept = await answer;
+    if (kept.title === '') throw new Error(kept.problem);
+    return kept;
+  }
+
+  sharePresent(name: string): void {
+    void this.tried(async () => {
+      const kept = await this.keepPresent(name);
+      const { showShare } = await import('./share_dialog');
+      await showShare({ kind: 'place', title: kept.title, fragment: `scenario=${kept.name}`, path: 'scenario' });
+    });
+  }
+
+  savePresent(name: string): void {
+    void this.tried(async () => void (await this.keepPresent(name)));
+  }
+
+  private async keepPresent(wanted: string): Promise<PlaceKept> {
+    const present = this.parts_.store.state.title;
+    const kept = await this.keep(wanted);
+    const name = kept.title;
+    const text = await this.link_.read();
+    await this.shelf_.save(name, text, await this.picture());
+    if (name !== present) await this.shelf_.keepScenery(name, await this.shelf_.scenery(present));
+    const auto = (await this.shelf_.list()).find((one) => one.auto && one.name === present);
+    if (auto) await this.shelf_.remove(auto.id);
+    this.autosave_.saved(name);
+    this.dialog_.saySaved(this.savedText(kept));
+    return kept;
+  }
+
+  private savedText({ title, name }: PlaceKept): string {
+    if (name !== '') return `“${title}” is saved: it stands in the list of places, for all who direct here.`;
+    return this.shelf_.lasting
+      ? `“${title}” is saved in this browser.`
+      : `This browser keeps “${title}” only until the page is left: download it, too.`;
   }
 
   downloadPresent(name: string): void {
@@ -310,9 +347,10 @@ export class PlaceController implements PlaceActions {
     this.autosave_.setEdited(edited, this.parts_.store.state.title, undo + redo > 0);
   }
 
-  async offerKept(): Promise<void> {
+  /** `was`: the title of the place that was shown before. */
+  async offerKept(was: string): Promise<void> {
     const { page } = this.parts_;
-    const place = await this.autosave_.lost();
+    const place = await this.autosave_.lost(was);
     page.querySelector('.place-banner')?.remove();
     if (!place) return;
     const banner = placeBanner(

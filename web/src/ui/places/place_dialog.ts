@@ -1,5 +1,6 @@
 // The dialog of places: what is saved, templates, import, and saving.
 
+import { hasEngine } from '../../link/answers';
 import { canShareLinks, copyLink } from '../../link/shared_link';
 import type { KeptPlace } from '../../model/place_files/kept_place';
 import type { PlaceActions } from '../../model/place_files/place_actions';
@@ -140,15 +141,21 @@ export class PlaceDialog {
   }
 
   /** A link that holds the place, on a site. */
-  private shareButton(): HTMLElement {
+  private siteButton(): HTMLElement {
     const share = element('button', { type: 'button', class: 'soft' }, icon('link'), 'Copy link');
     share.addEventListener('click', () => void copyLink('place', 'scenario').then((said) => this.saySaved(said)));
     return share;
   }
 
+  private shareButtons(share: HTMLElement): HTMLElement[] {
+    if (!hasEngine()) return [share];
+    return canShareLinks() ? [this.siteButton()] : [];
+  }
+
   private saving(): HTMLElement {
-    const save = element('button', { type: 'submit', class: 'solid' }, 'Save in this browser');
-    const download = element('button', { type: 'button', class: 'soft' }, icon('download'), 'Download .json');
+    const save = element('button', { type: 'submit', class: 'solid' }, 'Save');
+    const download = element('button', { type: 'button', class: 'soft' }, icon('download'), 'Download');
+    const share = element('button', { type: 'button', class: 'soft place-share' }, icon('link'), 'Share…');
     const form = element(
       'form',
       { class: 'place-section' },
@@ -156,9 +163,11 @@ export class PlaceDialog {
       element(
         'p',
         { class: 'secondary place-note' },
-        'The file is a scenario: “muster play” plays it on the command line, to the same end as here after Restart.',
+        hasEngine()
+          ? 'The place is called so from now on, and is kept in this browser.'
+          : 'The place is called so from now on, and stands in the list of places for all who direct here.',
       ),
-      element('div', { class: 'place-acts' }, ...(canShareLinks() ? [this.shareButton()] : []), download, save),
+      element('div', { class: 'place-acts' }, ...this.shareButtons(share), download, save),
       this.saved_,
     );
     const name = (): string => this.name_.value.trim();
@@ -166,6 +175,7 @@ export class PlaceDialog {
       event.preventDefault();
       if (name() !== '') this.actions_.savePresent(name());
     });
+    share.addEventListener('click', () => form.reportValidity() && this.actions_.sharePresent(name()));
     download.addEventListener('click', () => form.reportValidity() && this.actions_.downloadPresent(name()));
     return form;
   }

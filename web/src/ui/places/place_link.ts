@@ -1,5 +1,6 @@
 // The present place over HTTP (docs/protocol.md). Every call throws a sentence for the visitor where it fails.
 
+import { byUs } from '../../link/answers';
 import { asked } from '../../link/asked';
 
 export class PlaceLink {
@@ -11,6 +12,6 @@ export class PlaceLink {
   /** Opens a file for everybody. */
   async open(text: string, name: string): Promise<void> {
     const init = { method: 'POST', body: text, headers: { 'Content-Type': 'application/json' } };
-    await asked(`“${name}” could not be opened`, `scenario?name=${encodeURIComponent(name)}`, init);
+    await asked(`“${name}” could not be opened`, byUs(`scenario?name=${encodeURIComponent(name)}`), init);
   }
 }

@@ -134,12 +134,12 @@ describe('what is kept while somebody edits', () => {
   it('is offered where the server has another place, until it was seen', async () => {
     autosave.setEdited(true, 'Yard', true);
     await rest(kAutosaveAfter);
-    expect(await autosave.lost()).toBeNull();
+    expect(await autosave.lost('')).toBeNull();
     server = place('Yard', { seed: 2 });
-    const found = await autosave.lost();
+    const found = await autosave.lost('');
     expect(found?.name).toBe('Yard');
     autosave.markSeen(found!);
-    expect(await autosave.lost()).toBeNull();
+    expect(await autosave.lost('')).toBeNull();
   });
 
   it('is not offered where the page was left in the middle of an edit: the server has more', async () => {
@@ -148,6 +148,6 @@ describe('what is kept while somebody edits', () => {
     autosave.changed();
     window.dispatchEvent(new Event('pagehide'));
     server = place('Yard', { seed: 2 });
-    expect(await autosave.lost()).toBeNull();
+    expect(await autosave.lost('')).toBeNull();
   });
 });

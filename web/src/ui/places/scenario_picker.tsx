@@ -64,16 +64,16 @@ export class ScenarioPicker {
   constructor(store: StudioStore, actions: StudioActions) {
     drawPanel(this.root, store, ['title', 'scenarios', 'scenario', 'credit'], (state) => {
       const opener = {
-        label: `Scenario: ${state.title || 'none'}`,
+        label: `Place: ${state.title || 'none'}`,
         word: state.title || 'Muster',
         wordClass: 'title',
         class: 'scenario-button',
-        tip: 'Choose a scenario',
+        tip: 'Chooses a place to direct in',
         before: <Logo />,
         children: <Icon name="chevron" />,
       };
       return (
-        <Menu opener={opener} class="scenario-list" label="Scenarios">
+        <Menu opener={opener} class="scenario-list" label="Places">
           {(close) => {
             const choose = (name: string): void => {
               close();
@@ -81,10 +81,12 @@ export class ScenarioPicker {
             };
             return (
               <>
-                {groupScenarios(state.scenarios).map((group, i) => (
-                  <Group key={i} group={group} id={`scenario-group-${i}`} current={state.scenario} choose={choose} />
-                ))}
-                {state.credit && <p class="credit secondary">{state.credit}</p>}
+                <div class="scenario-scroll">
+                  {groupScenarios(state.scenarios).map((group, i) => (
+                    <Group key={i} group={group} id={`scenario-group-${i}`} current={state.scenario} choose={choose} />
+                  ))}
+                  {state.credit && <p class="credit secondary">{state.credit}</p>}
+                </div>
                 <div class="scenario-places" role="group" aria-label="Your own places">
                   {kPlaces.map(([view, icon, label]) => (
                     <MenuItem

@@ -107,9 +107,20 @@ export class CameraController {
     this.host_.view.lookAt(point);
   }
 
+  /** Shows these points. */
+  frame(points: readonly GroundPoint[]): void {
+    this.follow_.release();
+    const outline = crowdOutline(
+      points.flatMap(({ x, y }) => [x, y]),
+      [],
+      kSpan,
+    );
+    this.host_.view.camera.glideFit(outline, this.host_.padding(), performance.now(), this.glide());
+  }
+
   toggleFollow(): void {
     this.follow_.toggle();
-    this.host_.say(this.follow_.following === 'no' ? 'The camera stays' : 'The camera follows the crowd');
+    this.host_.say(this.follow_.following === 'no' ? 'The camera stays' : 'The camera tracks the crowd');
   }
 
   /** Shows one group, its places and the paths ahead of it. */

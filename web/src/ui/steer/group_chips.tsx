@@ -3,6 +3,7 @@
 import type { VNode } from 'preact';
 import { formatCount } from '../../model/formatters';
 import type { OrderActions } from '../../model/order_actions';
+import { standingSum } from '../../model/standing';
 import type { StudioActions } from '../../model/studio_actions';
 import type { GroupInfo, StudioState } from '../../model/studio_state';
 import type { StudioStore } from '../../model/studio_store';
@@ -26,7 +27,8 @@ export class GroupChips {
   private readonly focus_: ToolbarFocus;
   private last_ = { index: -1, time: -kTwice };
   private groups_: readonly number[] = [];
-  private active_ = 0;
+  /** Whose chip was brought into sight, and among which. */
+  private shown_ = '';
   private readonly watched_ = new WeakSet<HTMLElement>();
   private readonly drag_ = new ChipDrag(
     (chip) => this.groups_[[...this.root.children].indexOf(chip)],
@@ -38,7 +40,7 @@ export class GroupChips {
     private readonly actions_: StudioActions,
     private readonly orders_: OrderActions,
   ) {
-    drawPanel(this.root, store, ['groups', 'active', 'selected'], (state) => (
+    drawPanel(this.root, store, ['groups', 'active', 'selected', 'standings'], (state) => (
       <>
         {state.groups.map((group, i) => this.chip(group, i, state))}
         <ToolButton
@@ -51,29 +53,30 @@ export class GroupChips {
       </>
     ));
     this.focus_ = new ToolbarFocus(this.root, store);
-    store.watch(['groups', 'active'], ({ groups, active }) => {
+    store.watch(['groups', 'active', 'layout'], ({ groups, active, layout }) => {
       this.groups_ = groups.map(({ id }) => id);
       this.root.hidden = groups.length === 0;
       this.root.classList.toggle('many', groups.length > kNamed);
       this.focus_.refresh();
-      if (active !== this.active_) this.reveal(active);
+      const key = `${active} ${layout} ${groups.map(({ name }) => name).join()}`;
+      if (key !== this.shown_) requestAnimationFrame(() => this.reveal(active));
+      this.shown_ = key;
     });
   }
 
   /** Where chips are scrolled, the active group's is in sight. */
   private reveal(active: number): void {
-    this.active_ = active;
     const chip = this.root.children[active] as HTMLElement | undefined;
     if (!chip) return;
-    const { scrollLeft, clientWidth } = this.root;
-    const [left, right] = [chip.offsetLeft, chip.offsetLeft + chip.offsetWidth];
-    if (left < scrollLeft) this.root.scrollLeft = left - kBeside;
-    else if (right > scrollLeft + clientWidth) this.root.scrollLeft = right - clientWidth + kBeside;
+    const [room, box] = [this.root.getBoundingClientRect(), chip.getBoundingClientRect()];
+    if (box.left < room.left) this.root.scrollLeft += box.left - room.left - kBeside;
+    else if (box.right > room.right) this.root.scrollLeft += box.right - room.right + kBeside;
   }
 
-  private chip(group: GroupInfo, index: number, { groups, active, selected }: StudioState): VNode {
+  private chip(group: GroupInfo, index: number, { groups, active, selected, standings }: StudioState): VNode {
     const { id, name, colour, count } = group;
-    const marks = `${selected.length > 1 && selected.includes(id) ? ' chosen' : ''}${count === 0 ? ' empty' : ''}`;
+    const barred = standingSum([standings[index] ?? []]).barred;
+    const marks = `${barred === '' ? '' : ' barred'}${selected.length > 1 && selected.includes(id) ? ' chosen' : ''}${count === 0 ? ' empty' : ''}`;
     const pressed = (event: MouseEvent): void => {
       if (this.drag_.consumeClick()) return;
       if (event.shiftKey || event.ctrlKey || event.metaKey) this.orders_.choose(index, true);
@@ -85,7 +88,7 @@ export class GroupChips {
         type="button"
         class={`chip${marks}`}
         style={{ '--accent': accentVariable(colour) }}
-        aria-label={`${name}, ${count} characters`}
+        aria-label={[`${name}, ${count} characters`, barred].filter((one) => one !== '').join(', ')}
         aria-pressed={groups[active]?.id === id}
         data-tip={`Choose ${name}; twice: bring it into view; drag it onto another to join them`}
         data-key="G"

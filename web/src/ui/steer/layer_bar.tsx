@@ -12,27 +12,51 @@ import { drawPanel } from '../widgets/panel';
 import { ToolbarFocus } from '../widgets/toolbar_focus';
 
 const kLayers = [
-  { layer: 'mesh', icon: 'mesh', label: 'Mesh', shortcut: 'M', tip: 'The formation’s mesh and its controls' },
-  { layer: 'places', icon: 'places', label: 'Places', shortcut: 'L', tip: 'Where characters shall stand' },
-  { layer: 'paths', icon: 'paths', label: 'Paths', shortcut: 'T', tip: 'Drawn paths still ahead' },
+  {
+    layer: 'mesh',
+    icon: 'mesh',
+    label: 'Mesh',
+    shortcut: 'M',
+    tip: 'The net of the formation that fingers bend, and where they hold it',
+  },
+  {
+    layer: 'places',
+    icon: 'places',
+    label: 'Spots',
+    shortcut: 'L',
+    tip: 'Where each person of a formation shall stand',
+  },
+  {
+    layer: 'paths',
+    icon: 'paths',
+    label: 'Paths',
+    shortcut: 'T',
+    tip: 'The ways that are still ahead, of fingers and of orders',
+  },
 ] as const satisfies readonly { layer: keyof Layers; [key: string]: string }[];
 
 const kOverlays = [
   {
     kind: OverlayKind.Field,
     icon: 'field',
-    label: 'Field',
+    label: 'Push',
     shortcut: 'V',
-    tip: 'The field that bends the mesh round obstacles',
+    tip: 'How strongly obstacles push a formation away',
   },
   {
     kind: OverlayKind.Cost,
     icon: 'cost',
-    label: 'Cost',
+    label: 'Effort',
     shortcut: 'C',
-    tip: 'One character’s cost to its place: tap a character',
+    tip: 'How hard the way to one person’s spot is from anywhere: tap a person',
   },
-  { kind: OverlayKind.Density, icon: 'density', label: 'Density', shortcut: 'D', tip: 'How crowded the ground is' },
+  {
+    kind: OverlayKind.Density,
+    icon: 'density',
+    label: 'Density',
+    shortcut: 'D',
+    tip: 'How many people stand on a square metre',
+  },
 ] as const;
 
 interface Props {

@@ -13,9 +13,9 @@ describe('rampEnds', () => {
 describe('legendText', () => {
   it('is silent without an overlay and asks for a character where none is chosen', () => {
     expect(legendText(kInitialState)).toBeNull();
-    expect(legendText({ ...kInitialState, overlay: OverlayKind.Cost })?.about).toContain('Tap a character');
+    expect(legendText({ ...kInitialState, overlay: OverlayKind.Cost })?.about).toContain('Tap a person');
     const ramp = { max: 15, step: 1, beyond: true };
     const shown = legendText({ ...kInitialState, overlay: OverlayKind.Cost, chosen: 30, ramp });
-    expect(shown?.about).toBe('Character 30. One line per unit.');
+    expect(shown?.about).toBe('Person 30: far, slow and crowded ground is hard. A line every 1.');
   });
 });

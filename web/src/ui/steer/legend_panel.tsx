@@ -24,11 +24,11 @@ export function rampEnds(ramp: FieldScale): string[] {
 }
 
 function costText(state: StudioState): LegendText {
-  const title = 'Cost to its place';
+  const title = 'Effort to its spot';
   const ends = state.ramp ? rampEnds(state.ramp) : ['near', 'far'];
-  if (state.chosen < 0) return { title, about: 'Tap a character to see its field.', ends };
-  const lines = state.ramp ? ` One line per ${state.ramp.step === 1 ? 'unit' : state.ramp.step}.` : '';
-  return { title, about: `Character ${state.chosen}.${lines}`, ends };
+  if (state.chosen < 0) return { title, about: 'Tap a person to see how hard each way is.', ends };
+  const lines = state.ramp ? ` A line every ${state.ramp.step}.` : '';
+  return { title, about: `Person ${state.chosen}: far, slow and crowded ground is hard.${lines}`, ends };
 }
 
 /** The words for the shown overlay; null where there is none. */
@@ -41,12 +41,12 @@ export function legendText(state: StudioState): LegendText | null {
       return costText(state);
     case OverlayKind.Field:
       return {
-        title: 'Field of obstacles',
-        about: 'It pushes the mesh away from their middle.',
+        title: 'Push of obstacles',
+        about: 'It pushes the formation away from their middle.',
         ends: ['none', 'strong'],
       };
     case OverlayKind.Density:
-      return { title: 'Density', about: 'Characters on the ground, as costs see them.', ends: ['free', 'crowded'] };
+      return { title: 'Density', about: 'How many people stand on a square metre.', ends: ['free', 'crowded'] };
   }
 }
 
@@ -54,7 +54,7 @@ function Figures({ state }: { readonly state: StudioState }): VNode | null {
   const { cost } = state;
   if (state.overlay !== OverlayKind.Cost || state.chosen < 0 || !cost) return null;
   const figures = [
-    ['Cost from here', formatLength(cost.cost)],
+    ['Effort from here', formatLength(cost.cost)],
     ['Way to walk', `${formatLength(cost.way)} m`],
     ['Straight line', `${formatLength(cost.straight)} m`],
   ] as const;

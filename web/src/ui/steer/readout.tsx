@@ -1,4 +1,4 @@
-// How the crowd does, in plain words; on request the figures: characters, step time, lag, swaps, and what the plan's
+// How the crowd does, in plain words; on request the figures: people, step time, lag, swaps, and what the plan's
 // objective comes to.
 
 import type { VNode } from 'preact';
@@ -52,15 +52,17 @@ function Words({ state, actions }: Props): VNode {
     <button
       type="button"
       class="plain"
+      aria-label={state.figures ? 'Figures of the crowd' : undefined}
       aria-expanded={state.figures}
-      data-tip="Figures"
+      data-tip="Shows figures, or hides them"
       onClick={() => actions.toggleFigures()}
     >
       <span class="plain-words">
         <strong class="plain-people">{words.people}</strong>
         <span class="plain-does">{words.does}</span>
+        <span class="plain-barred unseen">{words.barred}</span>
         <span class="plain-items">{words.items}</span>
-        <span class="plain-slow">{words.slow}</span>
+        <span class="plain-slow">{words.barred === '' ? words.slow : ''}</span>
       </span>
       <Icon name="chevron" />
     </button>
@@ -77,11 +79,11 @@ function Objective({ state, actions }: Props): VNode {
     <div
       class="figure figure-objective"
       hidden={shown.length === 0}
-      data-tip={`What plans make least. All walks: ${all}`}
+      data-tip={`What matters when people are given their spots. The walks at present: ${all}`}
     >
       <select
         class="objective"
-        aria-label="What plans make least"
+        aria-label="What matters when people are given their spots"
         value={chosen}
         onChange={({ currentTarget }) => actions.setObjective(Number(currentTarget.value))}
       >
@@ -114,33 +116,43 @@ export class Readout {
       return (
         <>
           <Words state={state} actions={actions} />
+          {plainWords(state).barred !== '' && (
+            <button
+              type="button"
+              class="soft plain-show"
+              data-tip={`${plainWords(state).barred}: shows them`}
+              onClick={() => actions.showBarred()}
+            >
+              Show
+            </button>
+          )}
           {state.figures && (
             <div class="figures">
-              <Figure name="characters" label="Characters" value={formatCount(state.characters)} unit="characters" />
+              <Figure name="characters" label="People" value={formatCount(state.characters)} unit="people" />
               <Figure
                 name="ms"
-                label="Step"
+                label="Computing"
                 value={formatMs(stepMs)}
                 unit="ms"
                 spark={this.stepSpark_}
-                tip="Time of a simulation step; the dashes stand at 16 ms"
+                tip="What the computer takes for a 60th of a second; above the dashes, 16 ms, the crowd is slower than it should be"
               />
               <Figure
                 name="lag"
-                label="Lag p95"
-                before="lag"
+                label="Behind"
+                before="behind"
                 value={formatFigure(lag)}
                 unit="m"
                 spark={this.lagSpark_}
-                tip="Distance of characters to their places, p95"
+                tip="19 of 20 people are nearer to their spots than this"
               />
               <Figure
                 name="swaps"
-                label="Swaps"
+                label="New spots"
                 value={formatFigure(swaps)}
                 unit="/s"
                 spark={this.swapsSpark_}
-                tip="Changes of place without a command, per character and second"
+                tip="How often a person takes another spot without an order, each second"
               />
               <Objective state={{ ...state, walks }} actions={actions} />
             </div>

@@ -30,6 +30,15 @@ export interface SchemeScene {
 
 type OrderControllerClient = Pick<StudioClient, 'send' | 'on'>;
 
+/** Controls to compare the studio's own with, by their names at the server. */
+const kTitles: Readonly<Record<string, string>> = {
+  touch: 'Fingers alone',
+  'mouse-paper': 'Mouse: select and send',
+  'mouse-full-continuum': 'Mouse: selections that flow to their goal',
+  'mouse-full-free': 'Mouse: selections that stand in formation',
+  'mouse-mesh': 'Mouse and keys on the mesh',
+};
+
 export class SchemeController {
   private readonly inputs_: RawInputs;
   private told_ = '';
@@ -44,7 +53,7 @@ export class SchemeController {
   ) {
     this.inputs_ = new RawInputs(client_, () => scene_.camera.seenGround(), sent);
     client_.on('welcome', ({ schemes }) => {
-      this.store_.set({ schemes });
+      this.store_.set({ schemes: schemes.map((one) => ({ ...one, title: kTitles[one.name] ?? one.title })) });
       this.inputs_.forget();
       // A server that was found again has forgotten the choice.
       if (this.active) this.client_.send({ type: 'SetScheme', name: this.store_.state.scheme });

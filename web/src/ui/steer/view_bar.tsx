@@ -13,14 +13,20 @@ export class ViewBar {
   constructor(store: StudioStore, actions: StudioActions) {
     drawPanel(this.root, store, ['following', 'build', 'measures', 'replaying'], (state) => (
       <>
-        <ToolButton icon="fit" label="Fit" shortcut="F" tip="Fits crowd and paths" act={() => actions.fit()} />
+        <ToolButton
+          icon="fit"
+          label="Fit"
+          shortcut="F"
+          tip="Shows the whole crowd and its paths"
+          act={() => actions.fit()}
+        />
         <ToolButton
           icon="camera"
-          label="Follow"
+          label="Track"
           shortcut="I"
           class="toggle"
           pressed={state.following}
-          tip="The camera follows the crowd"
+          tip="The camera goes with the crowd"
           act={() => actions.toggleFollow()}
         />
         <ToolButton

@@ -152,9 +152,15 @@ class WrittenField implements Field {
 }
 
 /** What is asked for where an answer is missing. */
-export function missingText({ kind, low, high }: Pick<QuestionFrame, 'kind' | 'low' | 'high'>): string {
+export function missingText({
+  kind,
+  low,
+  high,
+  choices,
+}: Pick<QuestionFrame, 'kind' | 'low' | 'high' | 'choices'>): string {
+  if (choices.length === 1) return 'Please tick this box to go on. Who does not agree closes the page.';
   if (kind === QuestionKind.Number) return `Please write a number from ${low} to ${high}.`;
-  return kind === QuestionKind.Text ? 'Please write something.' : 'Please choose one.';
+  return kind === QuestionKind.Text ? 'Please write something.' : 'Please choose one of the answers.';
 }
 
 export function fieldOf(question: QuestionFrame): Field {

@@ -107,5 +107,7 @@ describe('a form', () => {
 it('counts the marks of scales', () => {
   expect(marksOf({ low: 0, high: 100, step: 5 })).toHaveLength(21);
   expect(marksOf({ low: 0, high: 10, step: 0.5 }).slice(-2)).toEqual([9.5, 10]);
-  expect(missingText({ kind: QuestionKind.Scale, low: 1, high: 5 })).toBe('Please choose one.');
+  expect(missingText({ kind: QuestionKind.Scale, low: 1, high: 5, choices: [] })).toBe(
+    'Please choose one of the answers.',
+  );
 });

@@ -1,7 +1,7 @@
 // How large a pixel of this display is: an outline on the page is made as high as a bank card.
 
 import type { AnswerFrame, QuestionFrame } from '../../protocol/messages';
-import { element, setText } from '../widgets/dom';
+import { element } from '../widgets/dom';
 import type { Field } from './fields';
 
 /** The short side of a bank card (ISO/IEC 7810, ID-1) [mm]. */
@@ -17,14 +17,13 @@ export function pixelSize(height: number): number {
   return Math.round((kCard / height) * 1e4) / 1e4;
 }
 
-export function pixelField({ name, text }: QuestionFrame): Field {
+export function pixelField({ name }: QuestionFrame): Field {
   const slider = element('input', { type: 'range', min: kLeast, max: kMost, step: 1, value: kUsual, id: 'study-card' });
   const card = element('div', { class: 'study-card-outline', 'aria-hidden': 'true' }, 'Bank card');
-  const figure = element('output', { class: 'secondary', for: 'study-card' });
   const root = element(
     'div',
     { class: 'study-field' },
-    element('label', { for: 'study-card' }, text),
+    element('label', { for: 'study-card' }, 'How large is this screen?'),
     element(
       'p',
       { class: 'secondary' },
@@ -32,13 +31,11 @@ export function pixelField({ name, text }: QuestionFrame): Field {
     ),
     slider,
     card,
-    figure,
   );
   const show = (): void => {
     const height = Number(slider.value);
     card.style.height = `${height}px`;
     card.style.width = `min(100%, ${Math.round((height * kLong) / kCard)}px)`;
-    setText(figure, `${pixelSize(height).toFixed(3)} mm`);
   };
   slider.addEventListener('input', show);
   show();

@@ -48,7 +48,7 @@ it('starts the next trial once, however often it is pressed', () => {
 
 it('asks once more before a trial is given up, but not in practice', () => {
   const give = vi.fn();
-  const bar = new TrialBar(give);
+  const bar = new TrialBar(give, () => undefined);
   bar.show(kState);
   bar.update(12.34, 7);
   expect(bar.root.textContent).toContain('0:12.3');

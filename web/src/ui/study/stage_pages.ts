@@ -43,18 +43,23 @@ function buttons(...list: (readonly [string, string, () => void])[]): HTMLElemen
   return element('div', { class: 'study-buttons' }, ...made);
 }
 
+const kNoTouch =
+  'This part is done with fingers, and this screen takes no touches. Tell whoever runs the study, and go on at a touch screen.';
+
 /** The next trial waits. */
 export function readyPage(state: StudyState, start: () => void): HTMLElement {
   const last = endText(state);
   const device = state.touch ? 'Use your fingers on the screen.' : 'Use the mouse.';
   const title = state.practice ? `Practice: ${state.schemeTitle}` : state.environment;
   const parts: HTMLElement[] = [];
+  const cannot = state.touch && navigator.maxTouchPoints === 0;
+  if (cannot) parts.push(words(kNoTouch, 'study-warning'));
   if (last !== '') parts.push(words(last, 'study-last secondary'));
   parts.push(
     words(
       state.practice
-        ? `Try the control for ${Math.round(state.least)} seconds to ${Math.round(state.limit / 60)} minutes. Nothing counts yet.`
-        : `${state.environmentText} Lead the crowd so that somebody touches each of the ${state.items} golden items, as fast as you can.`,
+        ? `Collect the golden hexagons: lead the crowd so that somebody touches each. Try the control for ${Math.round(state.least)} seconds to ${Math.round(state.limit / 60)} minutes; nothing counts yet.`
+        : `${state.environmentText} Lead the crowd so that somebody touches each of the ${state.items} golden hexagons, as fast as you can.`,
     ),
     element(
       'div',
@@ -66,7 +71,11 @@ export function readyPage(state: StudyState, start: () => void): HTMLElement {
       `Part ${state.trial} of ${state.trials}. Rest as long as you like; the clock runs from the moment you start.`,
       'secondary',
     ),
-    buttons([state.practice ? 'Start the practice' : 'Start', 'solid study-next', start]),
+    buttons(
+      cannot
+        ? ['Start all the same', 'soft study-next', start]
+        : [state.practice ? 'Start the practice' : 'Start', 'solid study-next', start],
+    ),
   );
   return card(title, ...parts);
 }

@@ -48,7 +48,10 @@ export class StudyApp {
     private readonly canvas_: HTMLCanvasElement,
     page: HTMLElement,
   ) {
-    this.trialBar_ = new TrialBar(() => this.act(StudyAct.GiveUp));
+    this.trialBar_ = new TrialBar(
+      () => this.act(StudyAct.GiveUp),
+      () => this.shell_.askStop(),
+    );
     this.replayBar_ = new ReplayBar(client_);
     this.shell_ = new StudyShell(page, [this.trialBar_.root, this.replayBar_.root], {
       stop: () => this.act(StudyAct.BreakOff),

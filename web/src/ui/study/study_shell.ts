@@ -54,7 +54,7 @@ export class StudyShell {
       element('div', { class: 'banner-buttons' }, retry),
     );
     this.dialog_ = this.stopDialog(() => actions.stop());
-    this.stop_.addEventListener('click', () => this.dialog_.showModal());
+    this.stop_.addEventListener('click', () => this.askStop());
     this.stop_.hidden = true;
     for (const bar of bars) bar.hidden = true;
     root.append(this.page_, ...bars, this.toast_, this.lost_, this.dialog_);
@@ -76,6 +76,10 @@ export class StudyShell {
       stop();
     });
     return dialog;
+  }
+
+  askStop(): void {
+    this.dialog_.showModal();
   }
 
   /** Puts a card on the page, in place of the scene or of the card before. */

@@ -19,25 +19,34 @@ export class TrialBar {
   private readonly clock_ = element('strong', { class: 'study-clock', role: 'timer', 'aria-label': 'Time' });
   private readonly items_ = element('strong', { class: 'study-items' });
   private readonly end_ = element('button', { type: 'button', class: 'soft study-end' }, 'Give up');
+  private readonly stop_ = element('button', { type: 'button', class: 'study-stop' }, 'Stop taking part');
   readonly root = element(
     'header',
     { class: 'study-bar panel' },
     element('div', { class: 'study-bar-words' }, this.title_, this.about_),
     trialFigures(this.clock_, this.items_),
-    this.end_,
+    element('div', { class: 'study-ends' }, this.end_, this.stop_),
   );
   private sure_ = false;
   private timer_ = 0;
   private state_: StudyState | null = null;
 
-  constructor(private readonly give_: () => void) {
+  /** `stop`: the person wants to stop for good. */
+  constructor(
+    private readonly give_: () => void,
+    stop: () => void,
+  ) {
+    this.stop_.addEventListener('click', stop);
     this.end_.addEventListener('click', () => this.pressed());
   }
 
   show(state: StudyState): void {
     this.state_ = state;
     setText(this.title_, state.practice ? 'Practice' : state.environment);
-    setText(this.about_, `${state.schemeTitle} · ${state.trial} of ${state.trials}`);
+    setText(
+      this.about_,
+      state.practice ? 'Collect the golden hexagons' : `${state.schemeTitle} · ${state.trial} of ${state.trials}`,
+    );
     this.calm();
     this.update(0, 0);
   }

@@ -1,7 +1,7 @@
 // The card of a take that has just been kept: picture, name, length, and what can be done with it.
 
 import { render, type VNode } from 'preact';
-import { showPicture } from '../../link/answers';
+import { hasEngine, showPicture } from '../../link/answers';
 import { canShareLinks, copyLink } from '../../link/shared_link';
 import type { TakeActions } from '../../model/take_actions';
 import { formatLengthOf, takeTitle, type ShelvedTake } from '../../model/take_facts';
@@ -42,9 +42,10 @@ export class TakeCard {
   private readonly acts_: readonly Act[];
 
   constructor(private readonly actions_: TakeActions) {
-    const share = canShareLinks()
-      ? [{ icon: 'link', label: 'Copy link', class: 'soft card-share', act: (take) => void this.copyLink(take) } as Act]
-      : [];
+    const share: Act[] =
+      hasEngine() && !canShareLinks()
+        ? []
+        : [{ icon: 'link', label: 'Share', class: 'soft card-share', act: (take) => void this.share(take) }];
     this.acts_ = [
       { icon: 'play', label: 'Play', class: 'solid card-play', act: ({ name }) => actions_.openTake(name) },
       { icon: 'cut', label: 'Trim', class: 'soft card-trim', act: ({ name }) => actions_.openTake(name, true) },
@@ -160,8 +161,16 @@ export class TakeCard {
     );
   }
 
-  private async copyLink(take: ShelvedTake): Promise<void> {
-    const said = await copyLink('take', `takes/${take.name}`);
+  private async share(take: ShelvedTake): Promise<void> {
+    const [title, path] = [takeTitle(take), `takes/${take.name}`];
+    let said = '';
+    if (hasEngine()) said = await copyLink('take', path);
+    else {
+      const { showShare } = await import('../places/share_dialog');
+      await showShare({ kind: 'take', title, fragment: `shelved=${take.name}`, path }).catch(
+        () => (said = 'The server does not answer: try again.'),
+      );
+    }
     if (this.take_ !== take) return;
     this.said_ = said;
     this.draw();

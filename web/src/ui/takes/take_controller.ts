@@ -7,9 +7,12 @@ import type { StudioClient } from '../../link/studio_client';
 import type { StudioFrame } from '../../model/studio_frame';
 import type { StudioStore } from '../../model/studio_store';
 import type { TakeActions } from '../../model/take_actions';
+import { allowed, openingOf, othersOf, takeOpeningOf, whenAllowed } from '../../model/consent';
 import { kTakeEnd, takeTitle, type OpenTake, type ShelvedTake, type TakeAbout } from '../../model/take_facts';
+import { kSteeredPitch, kWatchedPitch } from '../../scene/camera/camera_controller';
 import type { StudioScene } from '../../scene/studio_scene';
 import { ExportController } from './export_controller';
+import type { ExportGroup } from './export_kinds';
 import { FilmCameraController } from './film_camera_controller';
 import { TakeCard, type CardKind } from './take_card';
 import { TakeShelf } from './take_shelf';
@@ -19,6 +22,7 @@ import { Scrubber } from './scrubber';
 import { save } from '../../link/answers';
 import { ShelfLink, pictureAddress, takeAddress } from '../../link/shelf_link';
 import { scenarioBehind } from '../../model/scenario_behind';
+import { hasRecorded, markCutOffSeen, rememberRecording, seenCutOffs } from './recorder';
 import { TakeCopies, isCopyOnly, withCopies } from './take_copies';
 import { openTake } from './takes';
 import { element } from '../widgets/dom';
@@ -33,8 +37,8 @@ const kPictureEvery = 3000;
 const kPictureWait = 1500;
 /** How long a picture blends towards a frame that has come [ms]. */
 const kSettle = 90;
-/** Cut off recordings that the visitor has seen. */
-const kSeenKey = 'muster.cutoff';
+/** Other devices may come back to a server, too, before it is decided which one tells of a cut off recording [ms]. */
+const kOthersCome = 2000;
 
 export interface TakeControllerParts {
   readonly client: StudioClient;
@@ -110,8 +114,9 @@ export class TakeController implements TakeActions {
     client.on('takeReady', ({ steps }) => this.line_.track.setReady(steps));
     client.on('takeKept', (kept) => void this.kept(kept));
     client.on('frame', ({ frame }) => this.observe((this.crowd_ = frame).step));
-    client.on('welcome', () => void this.offerCutOff());
-    if (client.state.phase === 'open') void this.offerCutOff();
+    const offer = (): void => void window.setTimeout(() => void this.offerCutOff(), kOthersCome);
+    client.on('welcome', offer);
+    if (client.state.phase === 'open') offer();
     store.watch(['shelf'], ({ shelf }) => {
       this.shelfPanel_.setOpen(shelf);
       if (shelf) void this.refresh();
@@ -130,6 +135,7 @@ export class TakeController implements TakeActions {
     if (open && before?.name !== take.name) this.line_.track.setReady(0);
     this.film_.open(open ? take.name : '');
     this.line_.setTake(this.take_, this.titleOf(take));
+    if (open !== (before !== null)) this.tilt(open);
     if (!open) return;
     if (!before) {
       this.live_.say('A take is open');
@@ -138,6 +144,13 @@ export class TakeController implements TakeActions {
     if (this.trims_) requestAnimationFrame(() => this.line_.track.focusFrom());
     this.trims_ = false;
     this.waiting_ = this.waiting_.filter((one) => one.step >= 0 || (one.done(), false));
+  }
+
+  /** What is watched may be seen up to the horizon. */
+  private tilt(watched: boolean): void {
+    const { camera } = this.parts_.view;
+    camera.flattest = watched ? kWatchedPitch : kSteeredPitch;
+    camera.orbit(0, 0);
   }
 
   private titleOf(take: Pick<OpenTake, 'title'>): string {
@@ -190,13 +203,15 @@ export class TakeController implements TakeActions {
   }
 
   takeAgain(keep: boolean): void {
+    rememberRecording(true);
     this.parts_.client.send({ type: 'TakeAgain', keep });
     this.live_.say(keep ? 'Direct on top of the take' : 'Direct the take again from here');
   }
 
   leaveTake(): void {
-    const found = scenarioBehind(this.parts_.store.state);
-    if (found) this.parts_.client.send({ type: 'LoadScenario', name: found.name });
+    const { client, store } = this.parts_;
+    const { name, title } = scenarioBehind(store.state) ?? { name: '', title: '' };
+    if (name) whenAllowed(store, openingOf(title), () => client.send({ type: 'LoadScenario', name }));
   }
 
   // Films and pictures.
@@ -225,8 +240,13 @@ export class TakeController implements TakeActions {
     const listed = this.takes_.find((one) => one.name === name) ?? this.card_.take;
     const take = this.take_;
     if (take && (name === undefined || name === take.name))
-      return this.exports.open({ ...take, title: this.titleOf(take) });
-    if (listed) this.exports.open({ ...listed, title: takeTitle(listed) });
+      return this.exports.open({ ...take, title: this.titleOf(take), groups: this.groups() });
+    if (listed) this.exports.open({ ...listed, title: takeTitle(listed), groups: [] });
+  }
+
+  /** Of the shown moment. */
+  private groups(): readonly ExportGroup[] {
+    return this.parts_.store.state.groups.map(({ id, name }) => ({ id, name: name || `Group ${id}` }));
   }
 
   // The shelf.
@@ -240,6 +260,8 @@ export class TakeController implements TakeActions {
 
   openTake(name: string, trim = false): void {
     void this.tried(async () => {
+      const take = this.takes_.find((one) => one.name === name);
+      if (!(await allowed(this.parts_.store, takeOpeningOf(take ? takeTitle(take) : name)))) return;
       this.trims_ = trim;
       await this.shelf_.open(await this.onShelf(name));
       this.closeCard();
@@ -259,6 +281,7 @@ export class TakeController implements TakeActions {
   }
 
   private async openFile(file: File): Promise<void> {
+    if (!(await allowed(this.parts_.store, takeOpeningOf(file.name.replace(/\.take$/, ''))))) return;
     const text = await openTake(file);
     if (text === null) this.closeShelf();
     else this.parts_.store.set({ notice: problem('take', text) });
@@ -307,7 +330,7 @@ export class TakeController implements TakeActions {
 
   closeCard(): void {
     const { take } = this.card_;
-    if (take && !take.finished) this.markSeen(take.name);
+    if (take && !take.finished) markCutOffSeen(take.name);
     this.card_.close();
   }
 
@@ -331,6 +354,7 @@ export class TakeController implements TakeActions {
   }
 
   private async kept({ name, scenario }: TakeKept): Promise<void> {
+    rememberRecording(false);
     if (name === '') return;
     this.live_.say('The take is kept');
     await this.tried(async () => {
@@ -369,32 +393,18 @@ export class TakeController implements TakeActions {
   /** The newest recording that a server did not live to end. */
   private async offerCutOff(): Promise<void> {
     if (this.take_ || this.card_.take) return;
+    // Of several devices only the one that recorded tells of it.
+    if (othersOf(this.parts_.store.state).length > 0 && !hasRecorded()) return;
     try {
       this.takes_ = await this.shelf_.list();
     } catch {
       return;
     }
-    const found = this.takes_.find((take) => !take.finished && !take.recording && !this.seen().includes(take.name));
+    const found = this.takes_.find((take) => !take.finished && !take.recording && !seenCutOffs().includes(take.name));
     if (!found) return;
     // Once: it lies on the shelf.
-    this.markSeen(found.name);
+    markCutOffSeen(found.name);
     this.showCard(found, 'cut off');
     this.live_.say('A recording was cut off, and is safe');
-  }
-
-  private seen(): readonly string[] {
-    try {
-      return JSON.parse(window.localStorage.getItem(kSeenKey) ?? '[]') as string[];
-    } catch {
-      return [];
-    }
-  }
-
-  private markSeen(name: string): void {
-    try {
-      window.localStorage.setItem(kSeenKey, JSON.stringify([...this.seen(), name].slice(-50)));
-    } catch {
-      // Without storage it is offered again.
-    }
   }
 }

@@ -18,20 +18,38 @@ export class ServerExport {
 
   /** The finished file, which is saved; null where it was cancelled. Throws a sentence where it fails. */
   async run(wish: ExportWish, progress: (share: number) => void): Promise<ExportProgress | null> {
+    const done = await this.follow(wish, progress, 'The take could not be exported');
+    if (done) await this.save_(exportAddress(this.number_), done.file);
+    return done;
+  }
+
+  /** How large it will be; null where it was cancelled. Throws a sentence where it cannot be. */
+  async estimate(wish: ExportWish): Promise<ExportProgress | null> {
+    const told = await this.follow({ ...wish, estimate: true }, () => undefined, 'This cannot be exported');
+    if (told) await this.forget();
+    return told;
+  }
+
+  private async follow(
+    wish: ExportWish,
+    progress: (share: number) => void,
+    failure: string,
+  ): Promise<ExportProgress | null> {
     this.number_ = await this.shelf_.beginExport(wish);
     while (!this.cancelled_) {
       const now = await this.shelf_.exportProgress(this.number_);
       if (this.cancelled_) break;
-      if (now.state === 'failed') throw new Error(`The take could not be exported: ${now.problem ?? 'unknown'}.`);
+      if (now.state === 'failed') throw new Error(`${failure}: ${now.problem ?? 'unknown'}.`);
       progress(now.share);
-      if (now.state === 'done') {
-        await this.save_(exportAddress(this.number_), now.file);
-        return now;
-      }
+      if (now.state === 'done') return now;
       await this.wait_(kPollMs);
     }
-    await this.shelf_.cancelExport(this.number_).catch(() => undefined);
+    await this.forget();
     return null;
+  }
+
+  private async forget(): Promise<void> {
+    await this.shelf_.cancelExport(this.number_).catch(() => undefined);
   }
 
   cancel(): void {

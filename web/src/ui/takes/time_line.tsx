@@ -96,14 +96,14 @@ export class TimeLine {
       <div class="time-tools">
         <ToolButton
           icon="steer"
-          label="Take again"
+          label="Retake"
           class="time-again"
           tip="Direct from this moment on: a new take with this beginning"
           act={() => actions.takeAgain(false)}
         />
         <ToolButton
           icon="layers"
-          label="On top"
+          label="Add to it"
           class="time-layer"
           tip="Direct on top of what was recorded, from this moment on"
           act={() => actions.takeAgain(true)}
@@ -137,11 +137,11 @@ export class TimeLine {
     return (
       <ToolButton
         icon="arrow"
-        label="Path"
+        label="Edit paths"
         class="time-path"
         shortcut="Shift+P"
         pressed={paths}
-        tip="Moves the path of a group or a person, and simulates again"
+        tip="Moves the path of a group or a person in this take, which is computed anew"
         act={() => store.set({ paths: !paths })}
       />
     );

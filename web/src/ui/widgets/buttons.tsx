@@ -76,6 +76,7 @@ export function ToolButton(props: ToolButtonProps): VNode {
       aria-pressed={props.pressed}
       aria-disabled={props.idle}
       aria-keyshortcuts={shortcut || undefined}
+      aria-description={props.tip}
       data-tip={props.tip ?? label}
       data-key={shortcut || undefined}
       onClick={props.act}

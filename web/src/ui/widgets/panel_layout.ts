@@ -14,6 +14,7 @@ export class PanelLayout {
   private readonly areas_: Readonly<Record<Area, HTMLElement>>;
   private readonly panels_ = new Map<PanelName, HTMLElement>();
   private layout_: Layout = 'desktop';
+  private still_: ReadonlySet<PanelName> = new Set();
 
   constructor(page: HTMLElement) {
     kLayouts.set(page, this);
@@ -35,12 +36,19 @@ export class PanelLayout {
   add(name: PanelName, panel: HTMLElement): void {
     this.panels_.set(name, panel);
     panel.dataset['panel'] = name;
+    if (this.still_.has(name)) panel.inert = true;
     this.place();
   }
 
   /** A panel that stands in the layout at present. */
   panel(name: PanelName): HTMLElement | undefined {
     return this.panels_.get(name);
+  }
+
+  /** These panels stand back, also those that come later; all others do not. */
+  setInert(names: readonly PanelName[]): void {
+    this.still_ = new Set(names);
+    for (const [name, panel] of this.panels_) panel.inert = this.still_.has(name);
   }
 
   area(name: Area): HTMLElement {

@@ -22,7 +22,14 @@ export function ChoiceRow<Word extends string>({ title, words, tips, value, act 
       <span class="setting-title">{title}</span>
       <div class="segments" role="group" aria-label={title}>
         {words.map((word, i) => (
-          <button key={word} type="button" aria-pressed={word === value} data-tip={tips[i]} onClick={() => act(word)}>
+          <button
+            key={word}
+            type="button"
+            aria-pressed={word === value}
+            data-tip={tips[i]}
+            aria-description={tips[i]}
+            onClick={() => act(word)}
+          >
             {capital(word)}
           </button>
         ))}
@@ -40,7 +47,15 @@ export interface SwitchRowProps {
 
 export function SwitchRow({ title, tip, on, act }: SwitchRowProps): VNode {
   return (
-    <button type="button" class="switch" role="switch" aria-checked={on} data-tip={tip} onClick={() => act(!on)}>
+    <button
+      type="button"
+      class="switch"
+      role="switch"
+      aria-checked={on}
+      data-tip={tip}
+      aria-description={tip}
+      onClick={() => act(!on)}
+    >
       {title}
       <span class="switch-knob" aria-hidden="true" />
     </button>
@@ -49,6 +64,7 @@ export function SwitchRow({ title, tip, on, act }: SwitchRowProps): VNode {
 
 export interface DialProps {
   readonly title: string;
+  readonly tip: string;
   /** What its ends mean. */
   readonly ends: readonly [string, string];
   readonly value: number;
@@ -79,9 +95,9 @@ export class Dial extends Component<DialProps> {
     this.figure_!.textContent = `${this.input_!.value} %`;
   };
 
-  override render({ title, ends, act }: DialProps): VNode {
+  override render({ title, tip, ends, act }: DialProps): VNode {
     return (
-      <div class="setting dial">
+      <div class="setting dial" data-tip={tip}>
         <span class="setting-title">{title}</span>
         <span class="dial-figure" ref={(made) => void (this.figure_ = made)} />
         <input
@@ -90,6 +106,7 @@ export class Dial extends Component<DialProps> {
           max={100}
           step={5}
           aria-label={title}
+          aria-description={tip}
           ref={(made) => void (this.input_ = made)}
           onInput={this.say}
           onChange={({ currentTarget }) => act(Number(currentTarget.value) / 100)}

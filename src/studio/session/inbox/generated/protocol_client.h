@@ -35,7 +35,8 @@ struct Touches {
     }
 };
 
-/// Play, pause, one step, from the start, or from the start with the touches that the scenario carries.
+/// Play, pause, one step, from the start, from the start with the touches that the scenario carries, or back
+/// to the world before.
 struct Playback {
     static constexpr std::uint8_t kNumber = 2;  ///< First byte of the message.
     PlaybackAction action = PlaybackAction::Play;
@@ -386,9 +387,70 @@ struct WatchStages {
     }
 };
 
+/// Who cannot be in its place, and why?
+struct AskStandings {
+    static constexpr std::uint8_t kNumber = 29;  ///< First byte of the message.
+    std::uint32_t number = 0;  ///< Comes back with the answer.
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(number);
+    }
+};
+
+/// Would the others mind? Who does not answer in time agrees.
+struct AskOthers {
+    static constexpr std::uint8_t kNumber = 30;  ///< First byte of the message.
+    std::string request;  ///< What the sender would like: 'open Market square'; at most 100 letters count. Empty: never mind.
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(request);
+    }
+};
+
+/// Whether the sender minds.
+struct AnswerAsk {
+    static constexpr std::uint8_t kNumber = 31;  ///< First byte of the message.
+    std::uint32_t number = 0;  ///< Of the question.
+    bool allow = false;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(number, allow);
+    }
+};
+
+/// Begins or ends building: the world waits meanwhile, and goes on if it went on before.
+struct Build {
+    static constexpr std::uint8_t kNumber = 32;  ///< First byte of the message.
+    bool on = false;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(on);
+    }
+};
+
+/// Keeps the place under that name, which it has from now on.
+struct KeepPlace {
+    static constexpr std::uint8_t kNumber = 33;  ///< First byte of the message.
+    std::string title;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(title);
+    }
+};
+
 /// A sentence that directs: what would it do, or do it; how may it go on; or what is there to see?
 struct Say {
-    static constexpr std::uint8_t kNumber = 29;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 34;  ///< First byte of the message.
     std::uint32_t number = 0;  ///< Comes back with the answer.
     SayAct act = SayAct::Complete;
     std::string text;  ///< At most 1,000 bytes; not read for Look.
@@ -406,6 +468,7 @@ struct Say {
 using ClientMessage = std::variant<
     Hello, Touches, Playback, SetSpeed, LoadScenario, Record, SetOverlay, Commands, Attend, FrameAck, Ping,
     Seek, TakeAgain, EditTake, AskForecasts, SetName, GiveGroup, SetScheme, SetView, Inputs, EnterStudy,
-    AnswerForm, AskPath, BendPath, Edit, UndoEdit, DoInStudy, AskPlaces, WatchStages, Say>;
+    AnswerForm, AskPath, BendPath, Edit, UndoEdit, DoInStudy, AskPlaces, WatchStages, AskStandings, AskOthers,
+    AnswerAsk, Build, KeepPlace, Say>;
 
 }  // namespace muster::protocol

@@ -20,9 +20,10 @@ inline constexpr const char* kSubprotocol = "muster.v16";  ///< Of the WebSocket
 using muster::ControlKind;
 using muster::TouchPhase;
 using muster::Stance;
+using muster::Standing;
 using muster::EventKind;
 /// What a person wants of time.
-enum class PlaybackAction : std::uint8_t { Play, Pause, SingleStep, Restart, Demonstrate };
+enum class PlaybackAction : std::uint8_t { Play, Pause, SingleStep, Restart, Demonstrate, GoBack };
 /// What the ground is coloured by.
 enum class OverlayKind : std::uint8_t { None, Field, Cost, Density, Reach };
 /// What moves.
@@ -47,12 +48,14 @@ enum class StudyAct : std::uint8_t { Start, GoOn, GiveUp, BreakOff };
 enum class SayAct : std::uint8_t { Complete, Preview, Do, Look };
 /// How a trial ended.
 enum class TrialEnd : std::uint8_t { None, Done, TimeOver, GivenUp, Practised };
+/// What a director did with the world of all.
+enum class WorldChange : std::uint8_t { None, Opened, Restarted, Watched, WentBack };
 
 /// How many values an enumeration has.
 template <class Choice>
 inline constexpr std::size_t kChoices = kCountOf<Choice>;
 template <>
-inline constexpr std::size_t kChoices<PlaybackAction> = 5;
+inline constexpr std::size_t kChoices<PlaybackAction> = 6;
 template <>
 inline constexpr std::size_t kChoices<OverlayKind> = 5;
 template <>
@@ -77,6 +80,8 @@ template <>
 inline constexpr std::size_t kChoices<SayAct> = 4;
 template <>
 inline constexpr std::size_t kChoices<TrialEnd> = 5;
+template <>
+inline constexpr std::size_t kChoices<WorldChange> = 5;
 
 /// Marks the input as bad where an enumeration read from it has no such value.
 template <class Archive, class Choice>
@@ -218,13 +223,28 @@ struct PlacesAsk {
 struct PlacesFrame {
     std::uint32_t group = 0;
     std::vector<float> places;  ///< x, y on the ground [m].
-    std::vector<std::uint8_t> unfit;  ///< Per place 0: it can be reached; 1: it lies in an obstacle or outside; 2: no way leads there.
+    std::vector<std::uint8_t> unfit;  ///< Per place a Standing: 0 where it can be reached, else what keeps people from there.
     std::string problem;  ///< One sentence: why it is no formation; else empty.
 
     /// Lets an archive read or write the fields.
     template <class Archive>
     void visit(Archive& archive) {
         archive(group, places, unfit, problem);
+    }
+};
+
+/// Somebody who cannot be in its place.
+struct StandingFrame {
+    std::uint32_t id = 0;
+    Standing standing = Standing::InPlace;  ///< What keeps it from there.
+    float x = 0.0f;  ///< Where its formation wants it [m].
+    float y = 0.0f;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(id, standing, x, y);
+        checkChoice(archive, standing);
     }
 };
 
@@ -240,6 +260,7 @@ struct GroupFrame {
     std::vector<std::uint32_t> moved;  ///< Places with another offset than in the last frame sent.
     std::vector<std::int16_t> offsets;  ///< x, y per such from their points of the mesh [cm].
     std::vector<std::uint8_t> unfit;  ///< A bit per place, the lowest first, 1: no room for anyone; empty where unchanged.
+    std::vector<std::uint32_t> standings;  ///< How many stand as each Standing tells, in its order; empty where unchanged.
     std::vector<ControlFrame> controls;
     float x = 0.0f;  ///< Where its formation has its centre [m].
     float y = 0.0f;
@@ -258,8 +279,8 @@ struct GroupFrame {
     template <class Archive>
     void visit(Archive& archive) {
         archive(id, meshVersion, lag, walkSum, walkSquares, walkLongest, vertices, moved, offsets, unfit,
-                controls, x, y, facing, queued, orders, way, held, patrols, stance, cohesion, squeeze,
-                avoids);
+                standings, controls, x, y, facing, queued, orders, way, held, patrols, stance, cohesion,
+                squeeze, avoids);
         checkChoice(archive, stance);
     }
 };

@@ -384,9 +384,94 @@ struct StageTimes {
     }
 };
 
+/// All who cannot be in their places: neither there, nor on their way, nor held.
+struct Standings {
+    static constexpr std::uint8_t kNumber = 20;  ///< First byte of the message.
+    std::uint32_t number = 0;
+    std::vector<StandingFrame> people;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(number, people);
+    }
+};
+
+/// What directors have done with the world that all of them share; whenever it changes.
+struct SharedWorld {
+    static constexpr std::uint8_t kNumber = 21;  ///< First byte of the message.
+    std::uint32_t pausedBy = 0;  ///< Who paused it; 0: nobody who is here.
+    std::vector<std::uint32_t> builders;  ///< Who is building: the world waits.
+    WorldChange change = WorldChange::None;  ///< What was done last.
+    std::uint32_t changedBy = 0;  ///< By whom; 0: somebody who has left.
+    std::string changer;  ///< Their name.
+    std::string before;  ///< Title of the world before, to which anybody can go back; empty: there is none.
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(pausedBy, builders, change, changedBy, changer, before);
+        checkChoice(archive, change);
+    }
+};
+
+/// What another director would like; an empty request: nothing any more.
+struct Ask {
+    static constexpr std::uint8_t kNumber = 22;  ///< First byte of the message.
+    std::uint32_t number = 0;
+    std::uint32_t client = 0;
+    std::string request;  ///< As in AskOthers.
+    float seconds = 0.0f;  ///< So long an answer is waited for [s].
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(number, client, request, seconds);
+    }
+};
+
+/// The answer to AskOthers.
+struct AskAnswered {
+    static constexpr std::uint8_t kNumber = 23;  ///< First byte of the message.
+    bool allowed = false;
+    std::uint32_t client = 0;  ///< Who minds; 0: nobody.
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(allowed, client);
+    }
+};
+
+/// The scenarios, where they differ from those of Welcome.
+struct Scenarios {
+    static constexpr std::uint8_t kNumber = 24;  ///< First byte of the message.
+    std::vector<ScenarioInfo> scenarios;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(scenarios);
+    }
+};
+
+/// The answer to KeepPlace.
+struct PlaceKept {
+    static constexpr std::uint8_t kNumber = 25;  ///< First byte of the message.
+    std::string title;  ///< What the place is called now; empty: it was not kept.
+    std::string name;  ///< As LoadScenario takes it; empty: the server keeps no places.
+    std::string problem;  ///< Why it was not kept: one sentence.
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(title, name, problem);
+    }
+};
+
 /// What a sentence does or would do.
 struct Said {
-    static constexpr std::uint8_t kNumber = 20;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 26;  ///< First byte of the message.
     std::uint32_t number = 0;
     SayAct act = SayAct::Complete;
     std::string sentences;  ///< What each group does, a line each; for Look what is there.
@@ -406,6 +491,7 @@ struct Said {
 /// Any message of the server; the index is its number.
 using ServerMessage = std::variant<
     Welcome, Scene, Motions, GroupMesh, Frame, Overlay, Notice, Pong, TakePath, EditHistory, Forecasts,
-    TakeState, TakeReady, TakeKept, Directors, Marks, StudyForm, StudyState, Places, StageTimes, Said>;
+    TakeState, TakeReady, TakeKept, Directors, Marks, StudyForm, StudyState, Places, StageTimes, Standings,
+    SharedWorld, Ask, AskAnswered, Scenarios, PlaceKept, Said>;
 
 }  // namespace muster::protocol

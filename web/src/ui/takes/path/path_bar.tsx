@@ -108,8 +108,8 @@ export class PathBar {
       />
     );
     return (
-      <div class="path-reach" role="group" aria-label="Reach">
-        <span class="path-label">Reach</span>
+      <div class="path-reach" role="group" aria-label="How much of the path bends">
+        <span class="path-label">Bends</span>
         {step(false)}
         <input
           type="number"
