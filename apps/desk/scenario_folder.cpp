@@ -91,7 +91,7 @@ Status ScenarioFolder::addAs(const std::string& name, const std::string& path) {
 }
 
 std::string ScenarioFolder::first() const {
-    for (const char* name : {"market", "open"})
+    for (const char* name : {"fountain", "open"})
         if (has(name)) return name;
     return entries_.empty() ? std::string() : entries_.front().name;
 }

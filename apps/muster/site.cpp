@@ -46,7 +46,7 @@ void addSiteCommand(CommandLine& line) {
     Subcommand command = line.add("site", "Writes a folder with the studio that any web host serves.");
     auto options = std::make_shared<SiteOptions>();
     options->def.output = "site";
-    options->def.scenario = "market";
+    options->def.scenario = "fountain";
     command.option("-o,--output", options->def.output, "Folder to write; an older site there is replaced.");
     command.option("--first", options->def.scenario, "Scenario that is shown first.");
     command.option("--scenarios", options->def.scenarioFolder, "Folder of the picker's scenarios.")

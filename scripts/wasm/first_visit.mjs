@@ -5,7 +5,7 @@ import { dirname, join } from 'node:path';
 import { root } from '../../schema/read.mjs';
 import { encode, fromServer } from '../../schema/wire.mjs';
 
-const kFirst = 'market';
+const kFirst = 'fountain';
 /** Each step of the page's loop lets so much time pass [s]. */
 const kTick = 1 / 60;
 

@@ -64,15 +64,15 @@ TEST_CASE("an entry tells the title and how many people there are") {
     CHECK(scenarios.entries()[0].characters == 32);
 }
 
-TEST_CASE("the market comes first, then the open place, then any") {
+TEST_CASE("the square with the fountain comes first, then the open place, then any") {
     const OfferedFolder folder;
     CHECK(ScenarioFolder::scan(folder.base.string()).first().empty());
     folder.put("alley.json", "Alley");
     CHECK(ScenarioFolder::scan(folder.base.string()).first() == "alley");
     folder.put("open.json", "Open");
     CHECK(ScenarioFolder::scan(folder.base.string()).first() == "open");
-    folder.put("market.json", "Market");
-    CHECK(ScenarioFolder::scan(folder.base.string()).first() == "market");
+    folder.put("fountain.json", "Fountain");
+    CHECK(ScenarioFolder::scan(folder.base.string()).first() == "fountain");
 }
 
 TEST_CASE("a file from elsewhere is added once, and one with the name of another replaces it") {

@@ -14,6 +14,7 @@ import * as exports from './cases/exports.mjs';
 import * as feedback from './cases/feedback.mjs';
 import * as film from './cases/film_camera.mjs';
 import * as findings from './cases/findings.mjs';
+import * as firstMinute from './cases/first_minute.mjs';
 import * as forms from './cases/forms.mjs';
 import * as groupAppearance from './cases/group_appearance.mjs';
 import * as groupColour from './cases/group_colour.mjs';
@@ -143,19 +144,14 @@ const kCases = [
   ['camera: by keys', camera.cameraByKeys, ['desktop'], { touch: false, scenario: 'scenarios/block.json' }],
   ['camera: wheel', camera.wheelEndsOnPeople, ['desktop'], { touch: false, scenario: 'scenarios/block.json' }],
   ['first load', findings.firstLoad, ['desktop'], {}],
-  ['limits: first picture', limits.firstPicture, ['wide'], { scenario: 'scenarios/market.json', release: true }],
+  ['limits: first picture', limits.firstPicture, ['wide'], { scenario: 'scenarios/fountain.json', release: true }],
   [
     'limits: editing a thousand',
     limits.editingThousand,
     ['wide'],
     { touch: false, scenario: 'web/tests/scenarios/thousand.json', release: true },
   ],
-  [
-    'market square',
-    findings.marketSquare,
-    ['wide', 'portrait', 'phone'],
-    { hint: true, scenario: 'scenarios/market.json' },
-  ],
+  ...firstMinute.kFirstMinuteCases,
   ['hint ticks', findings.hintTicks, ['desktop', 'phone'], { hint: true, scenario: 'scenarios/block.json' }],
   ['area after line', findings.areaAfterLine, ['desktop', 'phone'], { scenario: 'scenarios/block.json' }],
   ['drawn formation', shapes.drawnFormation, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],

@@ -37,12 +37,13 @@ std::vector<Standing> barsOf(const World& world, GroupId group, std::span<const 
 }
 
 Result<std::vector<Vec2>> placesAt(const World& world, GroupId group, const FormationDef& formation,
-                                   const Pose& at) {
+                                   const Pose& at, int count) {
     const Group* const found = WorldAccess::of(world).state.findGroup(group);
     if (found == nullptr) return Status(StatusCode::NotFound, "there is no such group");
     if (Status status = validate(formation); !status.ok()) return status;
-    if (found->def.count < 1) return std::vector<Vec2>{};
-    const Result<Formation> made = makeFormation(formation, found->def.count);
+    const int people = count > 0 ? count : found->def.count;
+    if (people < 1) return std::vector<Vec2>{};
+    const Result<Formation> made = makeFormation(formation, people);
     if (!made.ok()) return made.status();
     std::vector<Vec2> places;
     for (const MeshPoint& place : made->places)

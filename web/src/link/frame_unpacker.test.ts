@@ -38,7 +38,12 @@ function frameOf(group: Partial<GroupFrame>): Frame {
     nearPlaces: Float32Array.of(3.25, 4.125, 1.5),
     nearPoses: new Int16Array(),
   };
-  const moved = { moved: new Uint32Array(), offsets: new Int16Array(), unfit: new Uint8Array(), standings: new Uint32Array() };
+  const moved = {
+    moved: new Uint32Array(),
+    offsets: new Int16Array(),
+    unfit: new Uint8Array(),
+    standings: new Uint32Array(),
+  };
   const figures = { lag: 0, walkSum: 0, walkSquares: 0, walkLongest: 0 };
   return {
     type: 'Frame',

@@ -44,11 +44,12 @@ export type PanelName =
   | 'paths'
   | 'sequence'
   | 'try'
+  | 'placing'
   | 'take-card'
   | 'time-line';
 
 /** Of what is going on at present, above the transport. */
-const kNow: readonly PanelName[] = ['try', 'sequence', 'take-card', 'hint', 'time-line'];
+const kNow: readonly PanelName[] = ['try', 'placing', 'sequence', 'take-card', 'hint', 'time-line'];
 
 /** In the order in which they stand. A panel that is named nowhere is not shown at that layout. */
 type Places = Readonly<Partial<Record<Area, readonly PanelName[]>>>;

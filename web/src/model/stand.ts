@@ -2,7 +2,7 @@
 
 import { Standing, type PlacesFrame } from '../protocol/messages';
 import { frontLine, outlineOf, placed } from './group_shapes';
-import { pointsOf, type GroundPoint } from './plane';
+import { distance, pointsOf, type GroundPoint } from './plane';
 
 /** A place and heading of a formation. */
 export interface StandPose extends GroundPoint {
@@ -21,6 +21,12 @@ export interface Stand {
   readonly unfit: ArrayLike<number>;
 }
 
+/** Where people are. */
+interface StandingPeople {
+  readonly x: ArrayLike<number>;
+  readonly y: ArrayLike<number>;
+}
+
 /** Words about places, and whether they warn. */
 export interface StandWords {
   readonly text: string;
@@ -36,6 +42,29 @@ export function standOf({ places, unfit }: PlacesFrame, index: number, { x, y, f
   );
   const [left, right] = placed(frontLine(own), { x, y }, facing);
   return { index, places: points, outline: outlineOf(points), front: [left!, right!], unfit };
+}
+
+/** The same places elsewhere. */
+export function movedStand(stand: Stand, dx: number, dy: number): Stand {
+  const moved = ({ x, y }: GroundPoint): GroundPoint => ({ x: x + dx, y: y + dy });
+  const [left, right] = stand.front;
+  const [places, outline] = [stand.places.map(moved), stand.outline.map(moved)];
+  return { ...stand, places, outline, front: [moved(left), moved(right)] };
+}
+
+/** Per place: 1 where somebody stands nearer than `apart` [m]. */
+export function takenPlaces(places: readonly GroundPoint[], { x, y }: StandingPeople, apart: number): number[] {
+  const cell = (at: number): number => Math.floor(at / apart);
+  const cells = new Map<string, number[]>();
+  for (let k = 0; k < x.length; ++k) {
+    const key = `${cell(x[k]!)} ${cell(y[k]!)}`;
+    cells.set(key, [...(cells.get(key) ?? []), k]);
+  }
+  const kAbout = [-1, 0, 1];
+  return places.map((at) => {
+    const near = kAbout.flatMap((i) => kAbout.flatMap((j) => cells.get(`${cell(at.x) + i} ${cell(at.y) + j}`) ?? []));
+    return Number(near.some((k) => distance(at, { x: x[k]!, y: y[k]! }) < apart));
+  });
 }
 
 function countOf(unfit: ArrayLike<number>, counts: (bar: number) => boolean): number {

@@ -126,6 +126,8 @@ export interface StudioState {
   readonly sequencing: boolean;
   /** A formation that waits on the ground to be taken up; the dialog is the one that it comes from. */
   readonly trying: { readonly title: string; readonly dialog: DialogName } | null;
+  /** The name of a new group that the next press puts on the ground; empty for none. */
+  readonly placing: string;
   readonly history: HistoryFacts;
   /** The engine in this browser, for when the server is lost: not there, ready, or asked to go on. */
   readonly standby: 'none' | 'ready' | 'wanted';
@@ -233,6 +235,7 @@ export const kInitialState: StudioState = {
   insertBefore: 0,
   stand: null,
   trying: null,
+  placing: '',
   sequencing: false,
   history: { undo: 0, undoLabel: '', redo: 0, redoLabel: '' },
   standby: 'none',

@@ -6,3 +6,8 @@ import { NoticeLevel, type Notice } from './messages';
 export function problem(code: string, text: string): Notice {
   return { type: 'Notice', level: NoticeLevel.Error, code, text, hasPlace: false, x: 0, y: 0 };
 }
+
+/** What the page tells, where nothing went wrong. */
+export function word(code: string, text: string): Notice {
+  return { ...problem(code, text), level: NoticeLevel.Info };
+}

@@ -82,8 +82,8 @@ export interface StudioScene {
   pick(clientX: number, clientY: number): number;
   screenToWorld(at: ScreenPoint): GroundPoint | null;
   worldToScreen(point: GroundPoint): ScreenPoint;
-  /** Fits crowd and paths between the panels. */
-  fitCrowd(): void;
+  /** Fits crowd and paths between the panels; with `orPlace` the whole place, where they are fitted already: true then. */
+  fitCrowd(orPlace?: boolean): boolean;
   /** Brings a spot between the panels. */
   lookAt(point: GroundPoint): void;
   /** CSS px that a metre on the ground takes in the middle of the view. */

@@ -112,6 +112,7 @@ export class StudioView implements StudioScene {
     this.crowd_.setUsualRadius(scene.radius);
     this.orders.setGroups(scene.groups);
     this.stage_.setScene(scene, this.palette_);
+    this.fitter_.know(scene);
     if (anew) this.openScene(scene);
     this.wake();
   }
@@ -252,13 +253,12 @@ export class StudioView implements StudioScene {
     return this.camera.worldToScreen(point.x, point.y);
   }
 
-  fitCrowd(): void {
-    this.fitter_.fit(this.crowd_.positions, this.timeline_.newest?.groups ?? [], this.reduced_);
+  fitCrowd(orPlace = false): boolean {
+    return this.fitter_.fit(this.crowd_.positions, this.timeline_.newest?.groups ?? [], this.reduced_, orPlace);
   }
 
   lookAt(point: GroundPoint): void {
     this.fitter_.lookAt(point, this.reduced_);
-    this.wake();
   }
 
   pixelsPerMetre(): number {
@@ -354,7 +354,7 @@ export class StudioView implements StudioScene {
     const chips = chipTags(this.marks_, view);
     // Chips must fade in a pause as well, when no frame comes.
     if (chips.length > 0) this.wake();
-    this.tagLayer_.show([...tags, ...chips, ...overlayTags(view)], this.camera.width - this.fitter_.padding.right);
+    this.tagLayer_.show([...tags, ...chips, ...overlayTags(view)], this.fitter_.room);
   }
 
   private showMarks(view: TagScene): void {

@@ -44,6 +44,7 @@ beforeEach(() => {
   const editor = new TouchEditor(touches, scene);
   chooser = new ToolChooser({
     shapes: () => null,
+    tell: () => undefined,
     scene,
     hitTest: new FormationHitTest(),
     editor,

@@ -18,6 +18,10 @@ export interface DrawTarget {
   readonly group: number;
 }
 
+export interface AreaTarget extends DrawTarget {
+  readonly corners: readonly GroundPoint[];
+}
+
 const kShortestLine = 0.5;
 
 /** Press at one end, release at the other. */
@@ -61,9 +65,9 @@ export class RubberBand implements ContactOwner {
 export class Lasso implements ContactOwner {
   private readonly loop_: GroundPoint[] = [];
 
-  /** `targetOf` picks the formation once the loop is known. */
+  /** `targetOf` picks the formation once the loop is known, and which of its corners hold a point of the mesh each. */
   constructor(
-    private readonly targetOf_: (corners: readonly GroundPoint[]) => DrawTarget | null,
+    private readonly targetOf_: (corners: readonly GroundPoint[]) => AreaTarget | null,
     private readonly shownFor_: number,
     private readonly controls_: VirtualControls,
     private readonly preview_: ControlPreview,
@@ -80,10 +84,9 @@ export class Lasso implements ContactOwner {
 
   end(contact: Contact, cancelled: boolean): void {
     this.preview_.previewControl(this.shownFor_, null, true);
-    const positions = cancelled ? [] : lassoCorners(this.loop_);
-    const target = positions.length >= 3 ? this.targetOf_(positions) : null;
+    const target = cancelled || this.loop_.length < 3 ? null : this.targetOf_(lassoCorners(this.loop_));
     if (!target) return;
-    const { group } = target;
+    const { group, corners: positions } = target;
     this.controls_.create({ group, kind: ControlKind.Area, positions, time: contact.time, keep: true, pinned: false });
   }
 }

@@ -1,5 +1,6 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import { TouchPhase, type GroupMesh } from '../protocol/messages';
+import type { StudioFrame } from '../model/studio_frame';
 import type { CameraControls } from '../scene/camera/camera_controls';
 import { CameraGesture, OrbitGesture } from './camera_gesture';
 import { OrderDrag } from './order_tools';
@@ -17,6 +18,8 @@ const camera = new CameraGesture(noCamera);
 const orbit = new OrbitGesture(noCamera);
 let client: FakeClient;
 let chooser: ToolChooser;
+let frame: StudioFrame;
+const told: string[] = [];
 
 beforeEach(() => {
   client = new FakeClient();
@@ -24,6 +27,7 @@ beforeEach(() => {
   const touches = new TouchSender(client);
   const controls = new VirtualControls(client, touches, () => 1);
   const hitTest = new FormationHitTest();
+  told.length = 0;
   const mesh = {
     type: 'GroupMesh',
     group: 5,
@@ -33,11 +37,12 @@ beforeEach(() => {
     boundary: new Uint32Array([4, 0, 1, 2, 3]),
   };
   hitTest.setMesh(mesh as GroupMesh);
-  const frame = frameWith(1, [controlFrame(3, 0, [{ x: 1, y: 1 }], { pinned: true })]);
+  frame = frameWith(1, [controlFrame(3, 0, [{ x: 1, y: 1 }], { pinned: true })]);
   frame.groups[0]!.vertices = new Float32Array([0, 0, 4, 0, 4, 4, 0, 4]);
   hitTest.setGroups(frame.groups);
   chooser = new ToolChooser({
     shapes: () => null,
+    tell: (text) => told.push(text),
     scene,
     hitTest,
     editor: new TouchEditor(touches, scene),
@@ -102,6 +107,25 @@ describe('ToolChooser', () => {
     expect(chooser.choose(contactAt(9, 3, { kind: 'mouse', shift: true }))).toBeInstanceOf(BoxSelect);
     expect(chooser.choose(contactAt(9, 9, { kind: 'mouse', alt: true }))).toBeInstanceOf(Lasso);
     expect(chooser.choose(contactAt(2, 3, { alt: true }))).not.toBeInstanceOf(Lasso);
+  });
+  it('holds a point of the mesh with each corner of a loop, and says where there are too few', () => {
+    const loop = (reach: number): void => {
+      const contacts = Array.from({ length: 24 }, (_, i) =>
+        contactAt(2 + reach * Math.cos(i / 3.8), 2 + reach * Math.sin(i / 3.8), { kind: 'mouse', alt: true }),
+      );
+      const lasso = chooser.choose(contacts[0]!);
+      for (const contact of contacts) lasso.begin(contact);
+      lasso.end(contacts[0]!, false);
+    };
+    chooser.observe({ ...frame, groups: [{ ...frame.groups[0]!, vertices: new Float32Array([0, 0, 4, 0]) }] });
+    loop(2);
+    expect(client.sent).toEqual([]);
+    expect(told.join()).toMatch(/fewer than three points/);
+    chooser.observe(frame);
+    loop(2.5);
+    const [made] = client.commands();
+    expect(made?.kind === 'control' && made.touches?.length).toBe(4);
+    expect(told.length).toBe(1);
   });
   it('gives buttons and Space to the camera, wherever they press', () => {
     expect(chooser.choose(contactAt(2, 2, { kind: 'mouse', button: 1 }))).toBe(orbit);

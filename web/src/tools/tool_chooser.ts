@@ -4,7 +4,7 @@ import type { ControlFrame } from '../protocol/messages';
 import type { StudioFrame } from '../model/studio_frame';
 import type { CameraGesture, OrbitGesture } from './camera_gesture';
 import type { Contact, ContactOwner } from './contact';
-import { ControlDrag, Lasso, RubberBand, type ControlPreview, type DrawTarget } from './drawn_controls';
+import { ControlDrag, Lasso, RubberBand, type AreaTarget, type ControlPreview } from './drawn_controls';
 import { FingersTogether } from './fingers_together';
 import {
   fingertipFrom,
@@ -15,7 +15,7 @@ import {
 } from './formation_hit_test';
 import { grabAt, type Grab, type Grabbable } from './grab';
 import type { OrderChooser } from './order_chooser';
-import { middleOf, type GroundPoint, type ScreenPoint } from '../model/plane';
+import { distance, middleOf, pointsOf, type GroundPoint, type ScreenPoint } from '../model/plane';
 import type { VirtualControls } from './virtual_controls';
 import type { TouchEditor, TouchMarks } from './touch_editor';
 
@@ -33,12 +33,28 @@ export interface ChooserTools {
   readonly orders: OrderChooser;
   /** Who draws outlines and puts groups down; null where another tool is in hand. */
   readonly shapes: (contact: Contact) => ContactOwner | null;
+  readonly tell: (text: string) => void;
 }
 
 /** A rubber band may begin so near the mesh [m]. */
 const kNear = 3;
 const kMiddle = 1;
 const kRight = 2;
+
+const kSmallLoop = 'The loop holds fewer than three points of a mesh: draw it larger, round a part of the crowd';
+
+/** The corners that hold a point of the mesh each, the nearest: no two can hold the same. */
+function holding(corners: readonly GroundPoint[], mesh: readonly GroundPoint[]): readonly GroundPoint[] {
+  const held = new Map<GroundPoint | undefined, GroundPoint>();
+  for (const corner of corners) {
+    const nearest = mesh.reduce<GroundPoint | undefined>(
+      (best, one) => (best && distance(best, corner) <= distance(one, corner) ? best : one),
+      undefined,
+    );
+    if (!held.has(nearest)) held.set(nearest, corner);
+  }
+  return [...held.values()];
+}
 
 export class ToolChooser {
   private frame_: StudioFrame | null = null;
@@ -81,6 +97,12 @@ export class ToolChooser {
     return this.find(ground, fingertipFrom(ground, this.toScreen));
   }
 
+  /** What a mouse that points there could take. */
+  cursor(ground: GroundPoint): 'grab' | 'pointer' | 'default' {
+    if (this.grab(ground)) return 'grab';
+    return this.formation(ground) ? 'pointer' : 'default';
+  }
+
   private readonly toScreen = (point: GroundPoint): ScreenPoint => this.tools_.scene.worldToScreen(point);
 
   private grabWhere(ground: GroundPoint, grabbable: (control: ControlFrame, group: number) => Grabbable): Grab | null {
@@ -110,11 +132,14 @@ export class ToolChooser {
     return contact.kind === 'touch' ? this.together_.ownerFor(contact, hit, grab, drag, fresh) : fresh;
   }
 
-  private lassoed(corners: readonly GroundPoint[]): DrawTarget | null {
-    for (const point of [middleOf(corners), ...corners]) {
+  private lassoed(corners: readonly GroundPoint[]): AreaTarget | null {
+    for (const point of corners.length > 0 ? [middleOf(corners), ...corners] : []) {
       const target = this.find(point, metresFrom(point, kNear));
-      if (target) return target;
+      if (!target) continue;
+      const held = holding(corners, pointsOf(this.frame_?.groups[target.index]?.vertices ?? []));
+      if (held.length >= 3) return { ...target, corners: held };
     }
+    this.tools_.tell(kSmallLoop);
     return null;
   }
 }

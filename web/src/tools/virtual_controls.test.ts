@@ -67,7 +67,7 @@ describe('RubberBand', () => {
 
 describe('Lasso', () => {
   it('makes an area of three to six corners', () => {
-    const lasso = new Lasso(() => target, 0, controls, scene);
+    const lasso = new Lasso((corners) => ({ ...target, corners }), 0, controls, scene);
     lasso.begin(contactAt(3, 0));
     lasso.move(Array.from({ length: 40 }, (_, i) => contactAt(3 * Math.cos(i / 6.4), 3 * Math.sin(i / 6.4))));
     lasso.end(contactAt(3, 0), false);

@@ -6,35 +6,6 @@ import { layout, serious } from './look.mjs';
 
 const kFirstLoad = 350_000;
 
-/** The market square: two groups that walk, a hand that drags once, a hint that ticks off what is done. */
-export async function marketSquare(studio) {
-  const { page } = studio;
-  await page.reload();
-  await studio.until('the first picture', () => (globalThis.__muster?.view.stats.shownFrame ?? 0) > 0);
-  await page.locator('.ghost').waitFor({ state: 'attached' });
-  await studio.until('the hand to drag', () => Number(document.querySelector('.ghost')?.style.opacity) > 0.9);
-  await studio.shot('ghost-hand');
-  const before = crowd(await studio.frame());
-  await studio.until('the hand to go', () => document.querySelector('.ghost') === null);
-  await studio.wait(1500);
-  const after = crowd(await studio.frame());
-  const walked = before.filter((at, i) => distance(at, after[i]) > 0.5).length;
-  expect(walked > 0.8 * before.length, `both groups walk: ${walked} of ${before.length}`);
-  await studio.shot('market-square');
-  const shown = await page.evaluate(() => {
-    const { view, frame } = globalThis.__muster;
-    const at = Array.from(frame.x, (x, i) => view.worldToScreen({ x, y: frame.y[i] }));
-    const inside = at.filter((p) => p.x > 0 && p.y > 0 && p.x < innerWidth && p.y < innerHeight);
-    const xs = inside.map((p) => p.x);
-    const ys = inside.map((p) => p.y);
-    const wide = (Math.max(...xs) - Math.min(...xs)) / innerWidth;
-    const high = (Math.max(...ys) - Math.min(...ys)) / innerHeight;
-    return { share: inside.length / at.length, spans: Math.max(wide, high) };
-  });
-  expect(shown.share > 0.9, `the crowd is in view: ${shown.share}`);
-  expect(shown.spans > 0.2, `and large: it spans ${shown.spans} of the window`);
-}
-
 /** Each thing that is done is ticked; when all are, the hint goes. */
 export async function hintTicks(studio) {
   const { page } = studio;

@@ -30,9 +30,14 @@ export async function firstLoad(browser, server, size) {
   await page.goto(server.url);
   await page.waitForFunction(() => (globalThis.__muster?.view.stats.shownFrame ?? 0) > 0, null, { timeout: 60000 });
   const standing = await page.evaluate(() => [...globalThis.__muster.frame.x]);
+  const spot = await page.evaluate(() => globalThis.__muster.view.worldToScreen(globalThis.__muster.frame.groups[0]));
+  await page.mouse.move(spot.x, spot.y);
+  await page.mouse.down();
+  await page.mouse.move(spot.x + 120, spot.y - 40, { steps: 4 });
   const walked = (xs) => globalThis.__muster.frame.x.some((x, k) => Math.abs(x - xs[k]) > 0.1);
   await page.waitForFunction(walked, standing, { timeout: 60000, polling: 20 });
   const walking = Date.now() - began;
+  await page.mouse.up();
   // Answers are read to their ends; what is asked for from now on does not count.
   const asked = new Set(loaded.keys());
   await page.waitForTimeout(500);

@@ -1,6 +1,6 @@
-// The first visit: the market square, the hand that shows how, the hint that ticks off what is done.
+// The first visit: the square with the fountain, the hand that shows how, the hint that ticks off what is done.
 
-export const scenario = 'scenarios/market.json';
+export const scenario = 'scenarios/fountain.json';
 export const hint = true;
 
 export async function play({ studio, hand, take }) {

@@ -35,9 +35,9 @@ Status check(const protocol::PlacesAsk& ask, const SessionLimits& limits) {
     if (ask.places.size() % 2 != 0 || !std::all_of(ask.places.begin(), ask.places.end(), isPlace))
         return {StatusCode::InvalidArgument, "places that are not finite pairs"};
     const auto most = static_cast<std::size_t>(limits.charactersPerGroup);
-    if (ask.places.size() / 2 > most)
-        return {StatusCode::LimitExceeded, "found " + std::to_string(ask.places.size() / 2) +
-                                               " places, expected at most " + std::to_string(most)};
+    if (const std::size_t asked = std::max<std::size_t>(ask.places.size() / 2, ask.count); asked > most)
+        return {StatusCode::LimitExceeded,
+                "found " + std::to_string(asked) + " places, expected at most " + std::to_string(most)};
     return {};
 }
 
@@ -45,7 +45,7 @@ Status check(const protocol::PlacesAsk& ask, const SessionLimits& limits) {
 Result<std::vector<Vec2>> standOf(const World& world, const protocol::PlacesAsk& ask) {
     if (Status valid = validate(*ask.formation); !valid.ok()) return valid;
     const Pose at{{ask.x, ask.y}, {cosine(ask.facing), sine(ask.facing)}};
-    return placesAt(world, GroupId{ask.group}, *ask.formation, at);
+    return placesAt(world, GroupId{ask.group}, *ask.formation, at, static_cast<int>(ask.count));
 }
 
 std::vector<Vec2> given(const protocol::PlacesAsk& ask) {

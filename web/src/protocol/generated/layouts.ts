@@ -9,7 +9,7 @@ export const kPartLayouts: Readonly<Record<string, string>> = {
   ControlFrame: 'id:u32 kind:<3 client:u32 pinned:bool open:bool points:ControlPointFrame* supplementary:f32s',
   ForecastAsk: 'group:u32 order:u32 asked:Order? placed:bool x:f64 y:f64 facing:f64',
   ForecastFrame: 'group:u32 order:u32 arrives:bool seconds:f32 x:f32 y:f32 way:f32s',
-  PlacesAsk: 'group:u32 formation:FormationDef? x:f64 y:f64 facing:f64 places:f64s',
+  PlacesAsk: 'group:u32 formation:FormationDef? x:f64 y:f64 facing:f64 places:f64s count:u32',
   PlacesFrame: 'group:u32 places:f32s unfit:u8s problem:text',
   StandingFrame: 'id:u32 standing:<9 x:f32 y:f32',
   GroupFrame: 'id:u32 meshVersion:u32 lag:f32 walkSum:f32 walkSquares:f32 walkLongest:f32 vertices:f32s moved:u32s offsets:i16s unfit:u8s standings:u32s controls:ControlFrame* x:f32 y:f32 facing:f32 queued:bool orders:QueuedOrder* way:f32s held:bool patrols:bool stance:<3 cohesion:f32 squeeze:f32 avoids:bool',

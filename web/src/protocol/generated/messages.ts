@@ -131,6 +131,8 @@ export interface PlacesAsk {
   facing: number;
   /** x, y of places on the ground, where there is no formation [m]. */
   places: Float64Array;
+  /** People in the formation; 0: as many as the group has. */
+  count: number;
 }
 
 /** Where each would stand. */

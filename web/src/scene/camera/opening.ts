@@ -9,12 +9,11 @@ import type { GroundPoint } from '../../model/plane';
 const kNear = 20;
 /** They widen the view by no more than this to a side, so that people stay large [m]. */
 export const kWiden = 6;
-/** Obstacles widen it by no more than this where patches lie about, which say more of the place [m]. */
-const kWidenBesidePatches = 1;
 /** So far from the crowd its goals are shown [m]. */
 const kGoal = 12;
 
-/** Points to fit into the view: corners of what is near, drawn in where they would widen it too far. */
+/** Points to fit into the view: corners of what is near, drawn in where they would widen it too far. Beside patches, which say
+ * more of the place, obstacles do not count. */
 export function surroundings(
   scene: SceneFacts | null,
   crowd: readonly GroundPoint[],
@@ -32,10 +31,7 @@ export function surroundings(
   const obstacles = scene.obstacles.flatMap(({ polygon, centre }) => (polygon.length > 0 ? polygon : [centre]));
   const patches = scene.patches.flatMap(({ polygon }) => polygon);
   const checkpoints = scene.checkpoints.map(({ position }) => position);
-  return [
-    ...near(obstacles, patches.length > 0 ? Math.min(widen, kWidenBesidePatches) : widen),
-    ...near([...patches, ...checkpoints], widen),
-  ];
+  return near([...(patches.length > 0 ? [] : obstacles), ...patches, ...checkpoints], widen);
 }
 
 /** Where its orders lead the crowd, drawn in where they are far. */

@@ -4,7 +4,7 @@ import { areaOf, kMoves, sceneOf } from '../../protocol/test_scene';
 import { CameraController } from '../camera/camera_controller';
 import { MarkState } from './mark_state';
 import { paletteOf } from '../drawing/palette';
-import { areaWords, chipTags, overlayTags, patchTags, patchWords, type TagScene, uncrowded } from './scene_tags';
+import { areaWords, chipTags, overlayTags, patchTags, patchWords, type TagScene, once } from './scene_tags';
 import { madeControl, madeGroup } from '../../model/test_frames';
 
 function view(now: number, more: Partial<TagScene> = {}): TagScene {
@@ -74,13 +74,15 @@ const kScene = sceneOf({
 
 describe('tags', () => {
   it('name patches in view, above their object', () => {
-    const tags = patchTags(kScene, view(0));
+    const tags = patchTags({ ...kScene, patches: kScene.patches.slice(0, 2) }, view(0));
     expect(tags.map((tag) => tag.key)).toEqual(['patch:1']);
-    expect(tags[0]).toMatchObject({ text: 'Net', detail: 'crawl 0.21×' });
+    expect(tags[0]).toMatchObject({ text: 'Net', detail: 'crawl' });
     const corner = view(0).camera.worldToScreen(1, 2, 1.1);
     expect(tags[0]?.at.y).toBeLessThan(corner.y);
-    expect(patchWords('', 'run', 1.5)).toEqual({ text: 'run', detail: '1.5×' });
-    expect(patchWords('run', 'run', 1.5)).toEqual({ text: 'run', detail: '1.5×' });
+    const run = { name: 'run', speed: 1 };
+    expect(patchWords('', run, 1)).toEqual({ text: 'run', detail: '' });
+    expect(patchWords('run', run, 1.5)).toEqual({ text: 'run', detail: '150 % of running speed' });
+    expect(patchWords('Mud', run, 0.5)).toEqual({ text: 'Mud', detail: 'run, 50 % of running speed' });
   });
 
   it('follow patches that move', () => {
@@ -90,20 +92,20 @@ describe('tags', () => {
     expect((moved?.at.x ?? 0) - (still?.at.x ?? 0)).toBeGreaterThan(50);
   });
 
-  it('do not cover each other, nor repeat themselves side by side', () => {
+  it('do not repeat themselves side by side', () => {
     const tag = (key: string, text: string, x: number, y: number) => ({
       key,
       kind: 'patch' as const,
       text,
       at: { x, y },
     });
-    const kept = uncrowded([
+    const kept = once([
       tag('a', 'Net', 0, 100),
       tag('b', 'Pool', 40, 110),
       tag('c', 'Net', 200, 60),
-      tag('d', 'Wall', 200, 60),
+      tag('area:1', 'Pool', 200, 60),
     ]);
-    expect(kept.map((one) => one.key)).toEqual(['b', 'c']);
+    expect(kept.map((one) => one.key)).toEqual(['a', 'b', 'area:1']);
   });
 
   it('name a control for 1.2 s, anew where it grows', () => {
@@ -173,6 +175,6 @@ describe('tags of areas', () => {
   it('tell both speeds of stairs', () => {
     const patch = { ...kScene.patches[0]!, name: '', speed: 0.5, ascent: 1, speedDown: 0.7 };
     const [tag] = patchTags({ ...kScene, patches: [patch] }, view(0));
-    expect(tag).toMatchObject({ text: 'Stairs', detail: 'up 0.50×, down 0.70×' });
+    expect(tag).toMatchObject({ text: 'Stairs', detail: 'up 50 %, down 70 % of running speed' });
   });
 });

@@ -12,17 +12,12 @@ import type { AreaView, FrameView, MovingView, OverlayView } from '../../model/f
 import { centroid } from '../drawing/geometry_builder';
 import { accentColour, inkOn, type Palette } from '../drawing/palette';
 import { heightOfLook, lookOfMotion } from '../patches/patch_geometry';
-import { kAreaIcons, kMotionIcons, kStairsIcon, type Tag } from './tag_layer';
+import { kAreaIcons, kMotionIcons, kStairsIcon, nearestFirst, type Tag } from './tag_layer';
 import type { ScreenPoint } from '../../model/plane';
 
 /** How long a chip names a control's kind [ms]. */
 const kChipTime = 1200;
 const kChipFade = 180;
-/** Size of a tag [CSS px]. */
-const kTagWidth = 150;
-const kTagHeight = 30;
-const kIconWidth = 40;
-const kPhoneWidth = 520;
 /** Of a patch whose motion the scene does not have. */
 const kNoClip: SceneClip = { name: '', speed: 1 };
 
@@ -40,21 +35,24 @@ export interface TagScene {
   readonly chosenGroup: number;
 }
 
-/** `Net` and `crawl 0.21×`; `crawl` and `0.21×` without a name of its own. */
-export function patchWords(name: string, clip: string, speed: number): { text: string; detail: string } {
-  const figure = speed >= 1 ? speed.toFixed(1) : speed.toFixed(2);
-  return name && name !== clip ? { text: name, detail: `${clip} ${figure}×` } : { text: clip, detail: `${figure}×` };
+const percent = (speed: number): string => `${Math.round(100 * speed)} %`;
+
+/** `Net` and `crawl`; with a speed of its own `Net` and `crawl, 50 % of running speed`. */
+export function patchWords(name: string, clip: SceneClip, speed: number): { text: string; detail: string } {
+  const own = speed > 0 && Math.abs(speed - clip.speed) > 0.005 ? [`${percent(speed)} of running speed`] : [];
+  const named = name && name !== clip.name;
+  return { text: named ? name : clip.name, detail: [...(named ? [clip.name] : []), ...own].join(', ') };
 }
 
-/** Of stairs both speeds: `Stairs` and `up 0.50×, down 0.70×`. */
+/** Of stairs both speeds: `Stairs` and `up 50 %, down 70 % of running speed`. */
 function wordsOfPatch(
   { name, speed, ascent, speedDown }: ScenePatch,
   clip: SceneClip,
 ): { text: string; detail: string } {
+  if (ascent === null) return patchWords(name, clip, speed);
   const up = speed > 0 ? speed : clip.speed;
-  if (ascent === null) return patchWords(name, clip.name, up);
   const down = speedDown > 0 ? speedDown : up;
-  return { text: name || 'Stairs', detail: `up ${up.toFixed(2)}×, down ${down.toFixed(2)}×` };
+  return { text: name || 'Stairs', detail: `up ${percent(up)}, down ${percent(down)} of running speed` };
 }
 
 const kAreaWords = {
@@ -117,26 +115,20 @@ export function patchTags(scene: SceneFacts, view: TagScene): Tag[] {
       ...(icon ? { icon } : {}),
     });
   }
-  // Phones show icons alone.
-  const words = uncrowded(tags, view.camera.width > kPhoneWidth ? kTagWidth : kIconWidth);
   const spots: Tag[] = [];
   scene.checkpoints.forEach((checkpoint, i) => {
     const at = view.camera.worldToScreen(checkpoint.position[0], checkpoint.position[1]);
     if (onScreen(at, view.camera)) spots.push({ key: `spot:${i}`, kind: 'spot', at, text: checkpoint.formation.kind });
   });
-  return [...words, ...uncrowded(spots)];
+  return [...once(tags), ...once(spots)];
 }
 
-/** Leaves out tags that would cover another; of patches with the same words the nearest alone stays. */
-export function uncrowded(tags: readonly Tag[], width = kTagWidth): Tag[] {
+/** Of patches with the same words the nearest alone stays. */
+export function once(tags: readonly Tag[]): Tag[] {
   const kept: Tag[] = [];
-  const nearest = [...tags].sort((a, b) => b.at.y - a.at.y || a.key.localeCompare(b.key));
-  for (const tag of nearest) {
-    const crowded = kept.some((other) => {
-      if (!tag.key.startsWith('area:') && other.text === tag.text && other.detail === tag.detail) return true;
-      return Math.abs(other.at.x - tag.at.x) < width && Math.abs(other.at.y - tag.at.y) < kTagHeight;
-    });
-    if (!crowded) kept.push(tag);
+  for (const tag of [...tags].sort(nearestFirst)) {
+    const told = kept.some(({ text, detail }) => text === tag.text && detail === tag.detail);
+    if (!told || tag.key.startsWith('area:')) kept.push(tag);
   }
   return tags.filter((tag) => kept.includes(tag));
 }

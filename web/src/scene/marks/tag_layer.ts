@@ -20,15 +20,50 @@ export interface Tag {
 
 /** Half the height of a tag [CSS px]; view.css agrees. */
 const kHalfHeight = 13;
-/** Between a tag and the panels at the right [CSS px]. */
+/** Between a tag and the panels, and between two tags [CSS px]. */
 const kGap = 8;
+const kApart = 3;
+/** So far down a tag moves to come out from below the panels [CSS px]. */
+const kDown = 40;
 
-/** Where a tag of half that width begins: the name of a patch that is seen moves out from below the panels, which begin at
- * `right`, as long as it stays above its patch. */
-export function tagLeft({ kind, at }: Pick<Tag, 'kind' | 'at'>, half: number, right: number): number {
-  const centred = at.x - half;
-  if (kind !== 'patch' || at.x > right) return Math.round(centred);
-  return Math.round(Math.max(Math.min(centred, right - kGap - 2 * half), centred - half));
+/** Where no panel lies [CSS px]. */
+export interface TagRoom {
+  readonly left: number;
+  readonly right: number;
+  readonly top: number;
+}
+
+const kAnywhere: TagRoom = { left: -Infinity, right: Infinity, top: -Infinity };
+
+/** On the screen, the lowest first. */
+export const nearestFirst = (a: Tag, b: Tag): number => b.at.y - a.at.y || a.key.localeCompare(b.key);
+
+/** The upper left corner of a tag of half that width: the name of a patch moves out from below the panels, as long as it stays
+ * above its patch; null where it cannot. */
+export function tagCorner({ kind, at }: Pick<Tag, 'kind' | 'at'>, half: number, room: TagRoom): ScreenPoint | null {
+  const [x, y] = [at.x - half, at.y - kHalfHeight];
+  // Whole px keep the letters sharp.
+  if (kind !== 'patch') return { x: Math.round(x), y: Math.round(y) };
+  const free = Math.max(room.left + kGap, Math.min(x, room.right - kGap - 2 * half));
+  const below = Math.max(room.top + kGap, y);
+  return Math.abs(free - x) > half || below - y > kDown ? null : { x: Math.round(free), y: Math.round(below) };
+}
+
+interface TagBox extends ScreenPoint {
+  readonly width: number;
+}
+
+const overlap = (a: TagBox, b: TagBox): boolean =>
+  a.x < b.x + b.width + kApart && b.x < a.x + a.width + kApart && Math.abs(a.y - b.y) < 2 * kHalfHeight + kApart;
+
+/** Leaves out tags of the place that would cover another: the nearest stays. */
+export function uncrowded<T extends { readonly tag: Tag; readonly box: TagBox }>(placed: readonly T[]): T[] {
+  const kept: T[] = [];
+  for (const one of [...placed].sort((a, b) => nearestFirst(a.tag, b.tag))) {
+    const fixed = one.tag.kind === 'patch' || one.tag.kind === 'spot';
+    if (!fixed || !kept.some((other) => other.tag.kind === one.tag.kind && overlap(other.box, one.box))) kept.push(one);
+  }
+  return kept;
 }
 
 const kSvg = 'http://www.w3.org/2000/svg';
@@ -43,22 +78,20 @@ export class TagLayer {
     root.append(this.root_);
   }
 
-  /** Shows exactly these tags; an element stays as long as its key does. At the right panels begin at `right` [CSS px]. */
-  show(tags: readonly Tag[], right = Infinity): void {
+  /** Shows these tags, but for those that have no room; an element stays as long as its key does. */
+  show(tags: readonly Tag[], room = kAnywhere): void {
     const unseen = new Set(this.elements_.keys());
-    for (const tag of tags) {
+    const placed = tags.flatMap((tag) => {
       unseen.delete(tag.key);
-      let element = this.elements_.get(tag.key);
-      if (!element || element.dataset['text'] !== tag.text + (tag.detail ?? '')) {
-        element?.remove();
-        element = this.make(tag);
-        this.elements_.set(tag.key, element);
-        this.root_.append(element);
-        element.dataset['half'] = String(element.offsetWidth / 2);
-      }
-      // Whole px keep the letters sharp.
-      const left = tagLeft(tag, Number(element.dataset['half']), right);
-      element.style.transform = `translate(${left}px, ${Math.round(tag.at.y - kHalfHeight)}px)`;
+      const element = this.elementOf(tag);
+      const half = Number(element.dataset['half']);
+      const corner = tagCorner(tag, half, room);
+      element.style.visibility = 'hidden';
+      return corner ? [{ tag, element, box: { ...corner, width: 2 * half } }] : [];
+    });
+    for (const { tag, element, box } of uncrowded(placed)) {
+      element.style.visibility = '';
+      element.style.transform = `translate(${box.x}px, ${box.y}px)`;
       element.style.opacity = String(tag.opacity ?? 1);
       if (tag.fill) element.style.background = tag.fill;
       if (tag.ink) element.style.color = tag.ink;
@@ -67,6 +100,18 @@ export class TagLayer {
       this.elements_.get(key)?.remove();
       this.elements_.delete(key);
     }
+  }
+
+  private elementOf(tag: Tag): HTMLElement {
+    const words = tag.text + (tag.detail ?? '');
+    const known = this.elements_.get(tag.key);
+    if (known && known.dataset['text'] === words) return known;
+    known?.remove();
+    const element = this.make(tag);
+    this.elements_.set(tag.key, element);
+    this.root_.append(element);
+    element.dataset['half'] = String(element.offsetWidth / 2);
+    return element;
   }
 
   private make(tag: Tag): HTMLElement {

@@ -13,7 +13,7 @@ import {
 } from '../../protocol/messages';
 import type { StudioFrame } from '../../model/studio_frame';
 import { isSameWorld, type SceneFacts } from '../../protocol/scene';
-import { problem } from '../../protocol/problem';
+import { problem, word } from '../../protocol/problem';
 import { CameraGesture, OrbitGesture } from '../../tools/camera_gesture';
 import type { Contact, ContactOwner } from '../../tools/contact';
 import { CrowdKeys } from '../../tools/crowd_keys';
@@ -32,6 +32,7 @@ import { judged } from '../orders/judged_orders';
 import { OrderController } from '../orders/order_controller';
 import { DirectorsController } from '../directors/directors_controller';
 import { AttentionSender } from './attention_sender';
+import { kKindNames } from '../../model/control_watch';
 import { ControlAnnouncer } from './control_announcer';
 import { LazyCursor } from '../steer/lazy_cursor';
 import { GhostHand } from '../steer/ghost_hand';
@@ -128,7 +129,7 @@ export class StudioApp {
     this.touches_ = new TouchSender(client_, (time) => this.latency.touched(time));
     this.controls_ = new VirtualControls(client_, this.touches_, () => client_.clientId, this.drafts_);
     const camera = new CameraGesture(this.camera.hand);
-    this.orders = new OrderController(client_, this.store, judged(view_, client_), say);
+    this.orders = new OrderController(client_, this.store, judged(view_, client_), say, this.held);
     this.schemes_ = new SchemeController(client_, this.store, view_, say, (time) => this.latency.touched(time));
     const toGround = (at: ScreenPoint): GroundPoint | null => view_.screenToWorld(at);
     this.orders_ = new OrderChooser({ orders: this.orders, camera, tool: () => this.store.state.tool, toGround });
@@ -141,6 +142,7 @@ export class StudioApp {
       controls: this.controls_,
       orders: this.orders_,
       shapes: (contact) => this.shapes.owner(contact),
+      tell: (text) => this.store.set({ notice: word('loop', text) }),
     });
     const hand = { camera: this.camera.hand, screenToWorld: toGround };
     this.keys_ = new CrowdKeys(hand, this.controls_, this.chooser_, this.middle, say);
@@ -193,6 +195,12 @@ export class StudioApp {
     });
   }
 
+  /** The word for what Escape would let go of. */
+  private readonly held = (): string | null => {
+    const own = this.frame && this.controls_.newestIn(this.frame);
+    return own && kKindNames[own.control.kind].toLowerCase();
+  };
+
   /** Escape drops what is being drawn, then puts the tool away, then ends controls. */
   private letGo(): void {
     if (this.cursor_.giveUp()) return;
@@ -230,14 +238,8 @@ export class StudioApp {
     const input = contact.kind === 'mouse' ? 'mouse' : 'touch';
     if (this.store.state.input !== input) this.store.set({ input });
     if (contact.kind !== 'mouse' || !contact.ground) return;
-    const over =
-      this.store.state.tool !== 'steer'
-        ? 'crosshair'
-        : this.chooser_.grab(contact.ground)
-          ? 'grab'
-          : this.chooser_.formation(contact.ground)
-            ? 'pointer'
-            : 'default';
+    this.shapes.pointed(contact.ground);
+    const over = this.store.state.tool !== 'steer' ? 'crosshair' : this.chooser_.cursor(contact.ground);
     if (this.canvas_.style.cursor !== over) this.canvas_.style.cursor = over;
   }
 

@@ -27,7 +27,7 @@ beforeEach(() => {
   store = new StudioStore();
   const client = { send: (message: ClientMessage) => sent.push(message), retry: () => undefined };
   const camera = {
-    fit: () => undefined,
+    fitInTurn: () => undefined,
     lookAt: (point: { x: number; y: number }) => seen.push(point),
     ...recordingCamera,
   };

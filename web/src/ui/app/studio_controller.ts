@@ -39,8 +39,8 @@ export interface ControllerLink extends MessageSender {
 /** What panels and keys ask of the camera. */
 export type ControllerCamera = Pick<
   StudioActions,
-  'fit' | 'toggleFollow' | 'frameGroup' | 'toggleTop' | 'toggleFlat' | 'saveView' | 'showView'
-> & { lookAt(point: GroundPoint): void };
+  'toggleFollow' | 'frameGroup' | 'toggleTop' | 'toggleFlat' | 'saveView' | 'showView'
+> & { lookAt(point: GroundPoint): void; fitInTurn(): void };
 
 /** Notices about people who may not be in their places. */
 const kOfStanding: readonly string[] = ['standing', 'stuck', 'noPath', 'partial', 'blocked'];
@@ -274,7 +274,7 @@ export class StudioController implements StudioActions {
   }
 
   fit(): void {
-    this.camera_.fit();
+    this.camera_.fitInTurn();
   }
 
   toggleFollow(): void {

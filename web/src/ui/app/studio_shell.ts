@@ -30,14 +30,14 @@ import { QueueBar } from '../orders/queue_bar';
 import type { StudioActions } from '../../model/studio_actions';
 import { isLost } from '../../model/studio_state';
 import { ViewBar } from '../steer/view_bar';
+import { WatchBanner } from '../steer/watch_banner';
 import { PanelLayout } from '../widgets/panel_layout';
 import { Tooltip } from '../widgets/tooltip';
 import { PlaybackBar } from '../takes/playback_bar';
 import type { Padding } from '../../scene/camera/camera_controls';
+import { kHeadroom } from '../../scene/camera/view_fitter';
 import type { StudioStore } from '../../model/studio_store';
 
-/** Between top panels and the ground that must be seen: figures stand up into it [px]. */
-const kHeadroom = 44;
 /** The queue and the hint stand at the lower edge of wide windows: fits leave room for them [px]. */
 const kFoot = 176;
 /** Between a panel and the crowd, and at sides without panels [px]. */
@@ -72,6 +72,7 @@ function bannersOf(store: StudioStore, actions: StudioActions): HTMLElement {
     new LostBanner(store, actions).root,
     new NoticeBanner(store, actions).root,
     new SchemeBanner(store, actions).root,
+    new WatchBanner(store, actions).root,
   );
 }
 
@@ -146,8 +147,9 @@ export class StudioShell {
     const above = boxes.filter((box) => box.top < height / 2);
     const below = boxes.filter((box) => box.top >= height / 2);
     const sheet = boxOf(this.layout_.area('sheet'));
+    const hint = edge('hint');
     const top = Math.max(0, ...above.map((box) => box.bottom)) + kHeadroom;
-    const foot = height - Math.min(height, sheet?.top ?? height, ...below.map((box) => box.top));
+    const foot = height - Math.min(height, sheet?.top ?? height, hint?.top ?? height, ...below.map((box) => box.top));
     const [left, right] = [edge('formations')?.right ?? 0, edge(layout === 'landscape' ? 'playback' : 'orders')?.left];
     return {
       top,

@@ -179,7 +179,13 @@ function cameraKeys(actions: StudioActions, tools: KeyTools): Shortcut[] {
       repeats: true,
       run: (event) => tools.turn(event.key.toLowerCase() === 'q' ? kQuarterStep : -kQuarterStep),
     },
-    { keys: 'F', does: 'fits crowd and paths', group: 'Camera', match: ['f'], run: () => actions.fit() },
+    {
+      keys: 'F',
+      does: 'fits crowd and paths; pressed again, the whole place',
+      group: 'Camera',
+      match: ['f'],
+      run: () => actions.fit(),
+    },
     {
       keys: 'I',
       does: 'tracks the crowd, or stays',

@@ -16,6 +16,7 @@ import { problem } from '../../protocol/problem';
 import type { Contact, ContactOwner } from '../../tools/contact';
 import { OutlineDraw, PlacePress, type OutlineSink } from '../../tools/outline_draw';
 import type { PlacesLink } from '../orders/place_asker';
+import { lazyGhost, type Ghost } from './lazy_ghost';
 import { StandPreview, type StandScene } from './stand_preview';
 
 /** Distance of neighbours in a drawn formation [m]: as the drawing has room, between these. */
@@ -57,7 +58,8 @@ export interface ShapeControllerHost {
 
 export class ShapeController implements ShapeActions, OutlineSink {
   private frame_: StudioFrame | null = null;
-  private held_: NewGroup | null = null;
+  /** A new group that waits for its place. */
+  private held_: { readonly group: NewGroup; readonly ghost: Ghost } | null = null;
   private picture_: File | null = null;
   private readonly stands_: StandPreview;
   private tried_: Design | null = null;
@@ -70,6 +72,7 @@ export class ShapeController implements ShapeActions, OutlineSink {
     this.stands_ = new StandPreview({ client, store, orders: view.orders, known, say });
     // What is shown is about the active group, and gone with a replay or another world.
     store.watch(['active', 'replaying', 'scenario'], () => this.endTry('drop'));
+    store.watch(['tool'], ({ tool }) => tool !== 'place' && this.dropGroup());
   }
 
   observe(frame: StudioFrame): void {
@@ -84,9 +87,14 @@ export class ShapeController implements ShapeActions, OutlineSink {
     if (tool === 'draw') return new OutlineDraw(this);
     if (tool !== 'place' || !this.held_) return null;
     return new PlacePress(
-      (at) => this.previewGroup(at),
+      (at) => at && this.pointed(at),
       (at) => this.putDown(at),
     );
+  }
+
+  /** A mouse, or a finger that is down, points there. */
+  pointed(at: GroundPoint): void {
+    if (this.frame_) this.held_?.ghost.show(at, this.frame_);
   }
 
   toggleDraw(): void {
@@ -194,8 +202,10 @@ export class ShapeController implements ShapeActions, OutlineSink {
   }
 
   holdGroup(group: NewGroup): void {
-    this.held_ = group;
-    this.host_.store.set({ tool: 'place' });
+    const { client, store, view } = this.host_;
+    this.dropGroup();
+    this.held_ = { group, ghost: lazyGhost({ client, store, orders: view.orders }, group) };
+    this.host_.store.set({ tool: 'place', placing: group.name });
     this.host_.say(`Press on the ground where ${group.name} shall stand`);
   }
 
@@ -249,23 +259,15 @@ export class ShapeController implements ShapeActions, OutlineSink {
     return { group, at, facing: seen?.facing ?? 0, count: group?.count ?? 0 };
   }
 
-  /** The square that the new group takes up. */
-  private previewGroup(at: GroundPoint | null): void {
-    const held = this.held_;
-    const half = held ? (held.spacing * Math.sqrt(held.count)) / 2 : 0;
-    const corners = [
-      [-1, -1],
-      [1, -1],
-      [1, 1],
-      [-1, 1],
-    ].map(([u, v]) => ({ x: (at?.x ?? 0) + half * u!, y: (at?.y ?? 0) + half * v! }));
-    this.host_.view.previewControl(this.host_.store.state.groups.length, at ? corners : null, true);
+  private dropGroup(): void {
+    this.held_?.ghost.hide();
+    this.held_ = null;
+    this.host_.store.set({ placing: '' });
   }
 
   private putDown(at: GroundPoint): void {
-    const { held_: held } = this;
-    if (!held) return;
-    const { name, count, formation, spacing, radius, speed } = held;
+    if (!this.held_) return;
+    const { name, count, formation, spacing, radius, speed } = this.held_.group;
     const group = {
       name,
       count,
@@ -274,7 +276,6 @@ export class ShapeController implements ShapeActions, OutlineSink {
       bodies: [{ radius, maxSpeed: speed }],
     };
     this.send([{ kind: 'group', group }]);
-    this.held_ = null;
     this.host_.store.set({ tool: 'steer' });
     this.host_.say(`${name} comes`);
   }

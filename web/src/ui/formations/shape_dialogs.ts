@@ -10,6 +10,7 @@ import { drawPanel } from '../widgets/panel';
 import type { ShapeDialogProps } from './dialog_ends';
 import { GroupDialog } from './group_dialog';
 import { OwnShapeDialog } from './own_shape_dialog';
+import { PlacingBar } from './placing_bar';
 import { QrDialog } from './qr_dialog';
 import { TextDialog } from './text_dialog';
 import { TryBar } from './try_bar';
@@ -26,6 +27,7 @@ export function watchShapeDialogs(
   const root = element('div', { class: 'shape-dialogs' });
   page.append(root);
   PanelLayout.of(page).add('try', new TryBar(store, shapes).root);
+  PanelLayout.of(page).add('placing', new PlacingBar(store).root);
   drawPanel(root, store, ['dialog', 'groups', 'active', 'stand'], (state) => {
     if (state.dialog === 'none') return null;
     return h<ShapeDialogProps>(kDialogs[state.dialog], { key: state.dialog, state, shapes, actions });

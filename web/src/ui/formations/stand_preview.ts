@@ -95,19 +95,22 @@ export class StandPreview {
     this.asked_ = pose;
     const { formation } = wanted;
     const { x, y, facing } = pose;
-    this.asker_.ask([{ group: group.id, formation, x, y, facing, places: new Float64Array(0) }], ([answer]) => {
-      const index = this.frame_?.groups.findIndex(({ id }) => id === group.id) ?? -1;
-      if (!answer || index < 0 || !this.wanted_) return;
-      const failed = answer.problem !== '';
-      const words = failed ? { text: `${sentence(answer.problem)}`, warns: true } : unfitWords([answer.unfit]);
-      const moves = failed ? [] : [standOf(answer, index, pose)];
-      const { trying, dialog } = this.host_.store.state;
-      // The bar, or the dialog, says it already.
-      const note = trying || dialog !== 'none' ? {} : { note: words };
-      this.host_.orders.previewOrder({ moves, rectangle: [], route: [], ...note });
-      this.host_.store.set({ stand: words });
-      if (wanted.told) this.host_.say(words.text);
-    });
+    this.asker_.ask(
+      [{ group: group.id, formation, x, y, facing, places: new Float64Array(0), count: 0 }],
+      ([answer]) => {
+        const index = this.frame_?.groups.findIndex(({ id }) => id === group.id) ?? -1;
+        if (!answer || index < 0 || !this.wanted_) return;
+        const failed = answer.problem !== '';
+        const words = failed ? { text: `${sentence(answer.problem)}`, warns: true } : unfitWords([answer.unfit]);
+        const moves = failed ? [] : [standOf(answer, index, pose)];
+        const { trying, dialog } = this.host_.store.state;
+        // The bar, or the dialog, says it already.
+        const note = trying || dialog !== 'none' ? {} : { note: words };
+        this.host_.orders.previewOrder({ moves, rectangle: [], route: [], ...note });
+        this.host_.store.set({ stand: words });
+        if (wanted.told) this.host_.say(words.text);
+      },
+    );
   }
 }
 

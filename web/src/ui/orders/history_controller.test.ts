@@ -77,3 +77,8 @@ it('says where nothing was left of it, and where there is nothing', () => {
   expect(told()).toBe('There is nothing to redo');
   expect(sent.length).toBe(1);
 });
+
+it('says what Escape lets go of, where there is nothing to undo', () => {
+  new HistoryController({ send: () => undefined }, store, () => 'line').undo();
+  expect(told()).toBe('There is nothing to undo. Esc lets go of the line');
+});

@@ -4,7 +4,8 @@
 import type { MessageSender, StudioClient } from '../../link/studio_client';
 import type { HistoryFacts } from '../../model/studio_state';
 import type { StudioStore } from '../../model/studio_store';
-import { NoticeLevel, type EditHistory, type Notice } from '../../protocol/messages';
+import type { EditHistory } from '../../protocol/messages';
+import { word } from '../../protocol/problem';
 import { ThreeFingerTap } from '../../tools/three_finger_tap';
 
 /** How long it is told what was taken back [ms]. */
@@ -29,6 +30,8 @@ export class HistoryController {
   constructor(
     private readonly client_: MessageSender,
     private readonly store_: StudioStore,
+    /** What this director holds: "line"; null for nothing. */
+    private readonly held_: () => string | null = () => null,
   ) {}
 
   /** `canvas`: three fingers that tap on it take back. */
@@ -50,7 +53,7 @@ export class HistoryController {
 
   undo(redo = false): void {
     const { history } = this.store_.state;
-    if ((redo ? history.redo : history.undo) === 0) return this.tell(`There is nothing to ${redo ? 'redo' : 'undo'}`);
+    if ((redo ? history.redo : history.undo) === 0) return this.tell(this.nothing(redo));
     this.ask(redo);
   }
 
@@ -78,8 +81,14 @@ export class HistoryController {
     this.tell(`${asked.redo ? 'Done again' : 'Undone'}: ${plain(gone)}${walks}`);
   }
 
+  private nothing(redo: boolean): string {
+    const held = redo ? null : this.held_();
+    const more = held ? `. Esc lets go of the ${held}` : '';
+    return `There is nothing to ${redo ? 'redo' : 'undo'}${more}`;
+  }
+
   private tell(text: string): void {
-    const notice: Notice = { type: 'Notice', level: NoticeLevel.Info, code: 'undo', text, hasPlace: false, x: 0, y: 0 };
+    const notice = word('undo', text);
     this.store_.set({ notice });
     clearTimeout(this.timer_);
     this.timer_ = setTimeout(() => {

@@ -58,6 +58,7 @@ class JudgedOrders {
       y: 0,
       facing: 0,
       places: Float64Array.from(places.flatMap(({ x, y }) => [x, y])),
+      count: 0,
     }));
     this.asker_.ask(asks, (answers) => {
       for (const { group, unfit } of answers) this.unfit_.set(group, unfit);

@@ -70,9 +70,10 @@ export class OrderController implements OrderActions, OrderSink, CutSink, BoxSin
     private readonly store_: StudioStore,
     private readonly scene_: OrderControllerScene,
     private readonly say_: (text: string) => void,
+    held?: () => string | null,
   ) {
     this.queues = new QueueController(client_, store_, scene_.orders, this.news_, say_);
-    this.history = new HistoryController(client_, store_);
+    this.history = new HistoryController(client_, store_, held);
   }
 
   setMesh(mesh: GroupMesh): void {

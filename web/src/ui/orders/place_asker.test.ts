@@ -6,7 +6,8 @@ let sent: Extract<ClientMessage, { type: 'AskPlaces' }>[];
 let hear: (message: Places) => void;
 let asker: PlaceAsker;
 
-const ask = (x: number): PlacesAsk => ({ group: 1, formation: null, x, y: 0, facing: 0, places: new Float64Array(0) });
+const places = new Float64Array(0);
+const ask = (x: number): PlacesAsk => ({ group: 1, formation: null, x, y: 0, facing: 0, places, count: 0 });
 const answer = (number: number): Places => ({
   type: 'Places',
   number,

@@ -14,8 +14,8 @@ import { sceneryOf, type SceneryModel } from '../../model/place_files/scenery';
 import type { Template } from '../../model/place_files/templates';
 import type { PlacesView } from '../../model/studio_state';
 import type { StudioStore } from '../../model/studio_store';
-import { NoticeLevel, type EditHistory, type PlaceKept } from '../../protocol/messages';
-import { problem } from '../../protocol/problem';
+import type { EditHistory, PlaceKept } from '../../protocol/messages';
+import { problem, word } from '../../protocol/problem';
 import type { StudioScene } from '../../scene/studio_scene';
 import '../styles/shelf.css';
 import '../styles/places.css';
@@ -116,7 +116,7 @@ export class PlaceController implements PlaceActions {
   }
 
   private tell(text: string): void {
-    this.parts_.store.set({ notice: { ...problem('place', text), level: NoticeLevel.Info } });
+    this.parts_.store.set({ notice: word('place', text) });
   }
 
   private async refresh(): Promise<void> {

@@ -101,6 +101,14 @@ export class CameraController {
     this.host_.view.fitCrowd();
   }
 
+  /** Fits the crowd, and the whole place where the crowd is fitted already. */
+  fitInTurn(): void {
+    this.host_.view.setPadding(this.host_.padding());
+    const place = this.host_.view.fitCrowd(true);
+    if (place) this.follow_.release();
+    this.host_.say(place ? 'The whole place in view' : 'The crowd in view');
+  }
+
   lookAt(point: GroundPoint): void {
     this.follow_.release();
     this.host_.view.setPadding(this.host_.padding());

@@ -17,7 +17,7 @@ export class ViewBar {
           icon="fit"
           label="Fit"
           shortcut="F"
-          tip="Shows the whole crowd and its paths"
+          tip="Shows the whole crowd and its paths; pressed again, the whole place"
           act={() => actions.fit()}
         />
         <ToolButton

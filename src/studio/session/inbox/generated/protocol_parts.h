@@ -211,11 +211,12 @@ struct PlacesAsk {
     double y = 0.0;
     double facing = 0.0;  ///< [rad].
     std::vector<double> places;  ///< x, y of places on the ground, where there is no formation [m].
+    std::uint32_t count = 0;  ///< People in the formation; 0: as many as the group has.
 
     /// Lets an archive read or write the fields.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(group, formation, x, y, facing, places);
+        archive(group, formation, x, y, facing, places, count);
     }
 };
 

@@ -253,6 +253,7 @@ export class SequenceController {
       formation,
       ...poses[i]!,
       places: new Float64Array(0),
+      count: 0,
     }));
     if (asks.length === 0) return this.draw([]);
     this.asker_.ask(asks, (answers) => {
