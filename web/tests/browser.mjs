@@ -8,7 +8,6 @@ import * as buildPeople from './cases/build_people.mjs';
 import * as buildCorners from './cases/build_corners.mjs';
 import * as camera from './cases/camera.mjs';
 import * as directors from './cases/directors.mjs';
-import * as darkWalls from './cases/dark_walls.mjs';
 import * as demonstration from './cases/demonstration.mjs';
 import * as exports from './cases/exports.mjs';
 import * as feedback from './cases/feedback.mjs';
@@ -42,6 +41,7 @@ import * as study from './cases/study.mjs';
 import * as oldTakes from './cases/old_take.mjs';
 import * as paths from './cases/path.mjs';
 import * as takes from './cases/takes.mjs';
+import * as things from './cases/things.mjs';
 import * as touch from './cases/touch.mjs';
 import * as undo from './cases/undo.mjs';
 import * as words from './cases/words.mjs';
@@ -81,8 +81,7 @@ const kCases = [
   ],
   ['mouse: camera', mouseAndKeys.mouseCamera, ['desktop'], { touch: false, shared: true }],
   ['keyboard only', mouseAndKeys.keyboardOnly, ['desktop'], { touch: false, room: true, shared: true }],
-  ['phone: the active ones in sight', keys.activeInSight, ['phone'], { scenario: 'scenarios/market.json' }],
-  ['keys: orders and cuts', keys.ordersAndCuts, ['desktop'], kTwo],
+  ...keys.kKeyCases,
   ['units: split and merge', orders.splitAndMerge, kTablets, { room: true }],
   ['units: pulled apart', orders.pullApart, ['landscape'], { room: true }],
   [
@@ -190,7 +189,6 @@ const kCases = [
   ['palm and restart', findings.palmAndRestart, ['landscape'], { scenario: 'scenarios/open.json' }],
   ['pinned marks', findings.marks, ['desktop'], { touch: false, scenario: 'scenarios/open.json' }],
   ['hidden people', findings.hiddenPeople, ['desktop'], { scenario: 'scenarios/block.json' }],
-  ['dark walls', darkWalls.darkWalls, ['desktop'], { scenario: 'scenarios/block.json', colorScheme: 'dark' }],
   ['small rings', findings.smallRings, ['phone', 'narrow'], { scenario: 'scenarios/open.json' }],
   [
     'nothing overlaps',
@@ -210,6 +208,7 @@ const kCases = [
   ['build: drags', build.dragsInARow, ['desktop'], { touch: false, scenario: 'scenarios/open.json', room: true }],
   ['build: drags by touch', build.dragsByTouch, ['portrait'], { scenario: 'scenarios/open.json', room: true }],
   ...buildPeople.kPeopleCases,
+  ...things.kThingCases,
   ...areas.kAreaCases,
   ['build: by touch', build.byTouch, ['landscape', 'portrait', 'phone'], kOpen],
   ['measures: a door', measures.door, [...kTablets, 'phone'], { scenario: 'web/tests/scenarios/door.json' }],
@@ -300,6 +299,7 @@ const kCases = [
     { touch: false, scenario: 'scenarios/open.json' },
   ],
   ['place files: grid map', placeFiles.importMap, ['desktop'], { touch: false, scenario: 'scenarios/open.json' }],
+  ['place files: water', placeFiles.importWater, ['wide', 'phone'], { touch: false, scenario: 'scenarios/open.json' }],
   ['place files: bad files', placeFiles.badFiles, ['desktop'], { touch: false, scenario: 'scenarios/open.json' }],
   [
     'place files: autosave',

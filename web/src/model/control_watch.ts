@@ -24,6 +24,10 @@ export const kTriedBy: Record<ControlKind, HintStep> = {
   [ControlKind.Line]: 'line',
   [ControlKind.Area]: 'area',
 };
+/** "line"; null without a control. */
+export function heldWord(control: { readonly kind: ControlKind } | null | undefined): string | null {
+  return control ? kKindNames[control.kind].toLowerCase() : null;
+}
 
 export class ControlWatch {
   private known_ = new Map<string, ControlKind>();

@@ -15,3 +15,12 @@ export function isSameWorld(a: SceneFacts, b: SceneFacts): boolean {
 export function isMoving({ path }: { readonly path: TimedPath }): boolean {
   return path.waypoints.length > 0;
 }
+
+/** A gate's path ends with the world [s]: it always has something left to do. */
+export const kGateEnd = 1e7;
+
+/** True for an obstacle that slides aside and back. */
+export function isGatePath(path: TimedPath | null): boolean {
+  const last = path?.waypoints[path.waypoints.length - 1];
+  return last?.time === kGateEnd && !path!.loop;
+}

@@ -66,8 +66,8 @@ export interface StudioScene {
   setLost(lost: boolean): void;
   /** The group whose panels are open (index into the scene's groups), or -1. */
   setActiveGroup(index: number): void;
-  /** What panels cover; fits keep clear of it. */
-  setPadding(padding: Padding): void;
+  /** `padding`: what panels cover, and fits keep clear of. `whole`: the next world opens with all of it in view. */
+  readonly fitter: { padding: Padding; whole: boolean };
   /** A ring under a finger in the very next picture; null lets it fade. A group of -1 means the camera. */
   touchMark(id: number, world: GroundPoint | null, groupIndex: number): void;
   /** What fingers have drawn and no frame shows yet. */

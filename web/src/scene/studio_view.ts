@@ -6,7 +6,6 @@ import type { Body } from './crowd/bodies/body';
 import type { ClipPoses } from './crowd/clips/clip_bank';
 import { isSameWorld, type SceneFacts } from '../protocol/scene';
 import { CameraController } from './camera/camera_controller';
-import type { Padding } from './camera/camera_controls';
 import { MarkState } from './marks/mark_state';
 import type { CrowdLayer } from './crowd/crowd_layer';
 import { CrowdState } from './crowd/crowd_state';
@@ -51,7 +50,7 @@ export class StudioView implements StudioScene {
   private readonly timeline_ = new FrameTimeline();
   private readonly crowd_ = new CrowdState();
   readonly orders = new OrderPicture(() => this.wake(), this.crowd_);
-  private readonly fitter_ = new ViewFitter(this.camera);
+  readonly fitter = new ViewFitter(this.camera);
   private readonly groups_ = new GroupState();
   private readonly observer_: ResizeObserver;
   private scene_: SceneFacts | null = null;
@@ -112,7 +111,7 @@ export class StudioView implements StudioScene {
     this.crowd_.setUsualRadius(scene.radius);
     this.orders.setGroups(scene.groups);
     this.stage_.setScene(scene, this.palette_);
-    this.fitter_.know(scene);
+    this.fitter.know(scene);
     if (anew) this.openScene(scene);
     this.wake();
   }
@@ -124,7 +123,7 @@ export class StudioView implements StudioScene {
     this.orders.clear();
     this.marks_.clear();
     this.moving_ = kNothingMoves;
-    this.fitter_.open(scene);
+    this.fitter.open(scene);
     this.setOverlay(null);
   }
 
@@ -208,10 +207,6 @@ export class StudioView implements StudioScene {
     this.wake();
   }
 
-  setPadding(padding: Padding): void {
-    this.fitter_.padding = padding;
-  }
-
   touchMark(id: number, world: GroundPoint | null, groupIndex: number): void {
     const now = performance.now();
     // A ring that only moves comes with the picture that answers the finger.
@@ -254,11 +249,11 @@ export class StudioView implements StudioScene {
   }
 
   fitCrowd(orPlace = false): boolean {
-    return this.fitter_.fit(this.crowd_.positions, this.timeline_.newest?.groups ?? [], this.reduced_, orPlace);
+    return this.fitter.fit(this.crowd_.positions, this.timeline_.newest?.groups ?? [], this.reduced_, orPlace);
   }
 
   lookAt(point: GroundPoint): void {
-    this.fitter_.lookAt(point, this.reduced_);
+    this.fitter.lookAt(point, this.reduced_);
   }
 
   pixelsPerMetre(): number {
@@ -316,7 +311,7 @@ export class StudioView implements StudioScene {
       this.moving_ = blend.to.moving;
       this.stage_.environment.move(blend.from.moving, blend.to.moving, blend.alpha);
       this.stage_.environment.setCollected(blend.to.collected);
-      this.fitter_.show(this.crowd_.positions, this.timeline_.newest?.groups ?? []);
+      this.fitter.show(this.crowd_.positions, this.timeline_.newest?.groups ?? []);
     }
     const newest = this.timeline_.newest;
     if (this.orders.update(newest?.groups ?? [])) this.membersStale_ = true;
@@ -354,7 +349,7 @@ export class StudioView implements StudioScene {
     const chips = chipTags(this.marks_, view);
     // Chips must fade in a pause as well, when no frame comes.
     if (chips.length > 0) this.wake();
-    this.tagLayer_.show([...tags, ...chips, ...overlayTags(view)], this.fitter_.room);
+    this.tagLayer_.show([...tags, ...chips, ...overlayTags(view)], this.fitter.room);
   }
 
   private showMarks(view: TagScene): void {

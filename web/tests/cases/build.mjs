@@ -68,14 +68,13 @@ export async function byMouse(studio) {
   await scene(studio, 'back', (one) => one.obstacles[0].polygon[0][1] < 0);
   await page.keyboard.press('Control+Shift+Z');
   await scene(studio, 'moved again', (one) => one.obstacles[0].polygon[0][1] > 0);
-  await tool(studio, 'Disc');
+  await tool(studio, 'Pillar');
   await drag(studio, { x: -3, y: 3 }, { x: -3, y: 4 });
   await tool(studio, 'Item');
   await press(studio, { x: -2, y: -3 });
   await tool(studio, 'Checkpoint');
   await drag(studio, { x: 5, y: 4 }, { x: 5, y: 5.5 });
-  await tool(studio, 'Patch');
-  await page.locator('.build-panel').getByLabel('Motion').selectOption('crawl');
+  await tool(studio, 'Net');
   await drag(studio, { x: -5, y: -1 }, { x: -3, y: 1 });
   now = await scene(studio, 'all of them', (one) => one.patches.length === 1 && one.items.length === 1);
   expect(now.obstacles.length === 2 && Math.abs(now.obstacles[1].radius - 1) < 0.3, 'a disc');

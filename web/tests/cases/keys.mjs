@@ -1,4 +1,5 @@
 // By keys alone: a cursor on the ground gives orders and cuts.
+import { darkWalls } from './dark_walls.mjs';
 import { expect } from '../support/expect.mjs';
 import { distance, extreme, mean, points, shifted } from '../support/geometry.mjs';
 
@@ -169,3 +170,11 @@ export async function activeInSight(studio) {
 }
 
 const innerWidthOf = (studio) => studio.page.viewportSize().width;
+
+const kTwo = { touch: false, scenario: 'web/tests/scenarios/two-groups.json', room: true };
+
+export const kKeyCases = [
+  ['keys: orders and cuts', ordersAndCuts, ['desktop'], kTwo],
+  ['phone: the active ones in sight', activeInSight, ['phone'], { scenario: 'scenarios/market.json' }],
+  ['dark walls', darkWalls, ['desktop'], { scenario: 'scenarios/block.json', colorScheme: 'dark' }],
+];

@@ -283,6 +283,108 @@ export async function importMap(studio, server) {
   await studio.shot('place-map');
 }
 
+const kSmallMap = `type octile
+height 8
+width 12
+map
+@@@@@@@@@@@@
+@..@...@...@
+@..@.WWW.@.@
+@....WWW.@.@
+@..@.....@.@
+@..@@@.@@@.@
+@..........@
+@@@@@@@@@@@@
+`;
+const kPond = (at) => ({
+  type: 'Feature',
+  properties: { natural: 'water', name: 'Pond' },
+  geometry: { type: 'Polygon', coordinates: [at] },
+});
+
+/** All of the place can be seen. */
+async function allInSight(studio, [[left, low], [right, high]]) {
+  await studio.eventually(async () => {
+    const spots = await studio.page.evaluate(
+      (list) => list.map(([x, y]) => globalThis.__muster.view.worldToScreen({ x, y })),
+      [
+        [left, low],
+        [right, low],
+        [right, high],
+        [left, high],
+      ],
+    );
+    const { width, height } = studio.page.viewportSize();
+    const out = spots.filter(({ x, y }) => x < 0 || y < 0 || x > width || y > height);
+    expect(out.length === 0, `corners in sight: ${JSON.stringify(spots)}`);
+  });
+}
+
+/** What is imported has water, people stand on its free ground, both buttons are in sight, and then all of it. */
+export async function importWater(studio, server) {
+  await drop(studio, { name: 'small.map', buffer: Buffer.from(kSmallMap) });
+  const dialog = dialogOf(studio);
+  await dialog.locator('.place-import:not([hidden])').waitFor();
+  await inSight(dialog.locator('.place-acts button:visible'));
+  await studio.shot('place-import-small');
+  expect(/There is room for \d+ people/.test(await dialog.textContent()), 'the room is told');
+  await dialog.locator('button', { hasText: 'New place' }).click();
+  await untilTitle(studio, 'Small');
+  const small = await present(server);
+  const rows = kSmallMap.split('\n').slice(4);
+  const free = ([x, y]) => rows[7 - Math.floor(y)][Math.floor(x)] === '.';
+  await studio.until('its people', () => globalThis.__muster.frame.x.length < 49);
+  const stand = await studio.page.evaluate(() => {
+    const { x, y } = globalThis.__muster.frame;
+    return Array.from(x, (one, i) => [one, y[i]]);
+  });
+  expect(stand.length > 9 && stand.length < 50 && stand.every(free), `on free ground: ${JSON.stringify(stand)}`);
+  expect(small.patches.length === 1 && small.patches[0].motion === 'swim', JSON.stringify(small.patches));
+  await allInSight(studio, [
+    [0, 0],
+    [12, 8],
+  ]);
+  await studio.pictures(2);
+  await studio.shot('place-small');
+  const corners = [
+    [0, 0],
+    [40, 0],
+    [40, 25],
+    [0, 25],
+    [0, 0],
+  ];
+  const house = [
+    [60, 0],
+    [150, 0],
+    [150, 80],
+    [60, 80],
+    [60, 0],
+  ];
+  const made = {
+    type: 'FeatureCollection',
+    crs: { type: 'name', properties: { name: 'urn:ogc:def:crs:EPSG::25833' } },
+    features: [
+      kPond(corners),
+      { type: 'Feature', properties: { building: 'yes' }, geometry: { type: 'Polygon', coordinates: [house] } },
+    ],
+  };
+  await drop(studio, { name: 'park.geojson', buffer: Buffer.from(JSON.stringify(made)) });
+  await dialog.locator('.place-import:not([hidden])').waitFor();
+  await studio.eventually(async () =>
+    expect(/1 obstacle and 1 piece of water on 150 × 80 m/.test(await dialog.textContent()), 'it is told'),
+  );
+  await inSight(dialog.locator('.place-acts button:visible'));
+  await studio.shot('place-import-park');
+  await dialog.locator('button', { hasText: 'New place' }).click();
+  await untilTitle(studio, 'Park');
+  const park = await present(server);
+  expect(park.obstacles.length === 1 && park.patches[0].motion === 'swim', 'a house and a pond to swim in');
+  await studio.until('its people', () => globalThis.__muster.frame.x.length === 50);
+  await allInSight(studio, park.box);
+  await studio.pictures(2);
+  await studio.shot('place-park');
+}
+
 /** Every bad file gets one sentence that names it, by picker and by drop; nothing changes. */
 export async function badFiles(studio, server) {
   const before = await title(studio);

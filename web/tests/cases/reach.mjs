@@ -187,6 +187,8 @@ export async function steering(studio, reach = new Reach(studio)) {
     await studio.page.evaluate((n) => document.querySelectorAll('.build-tool')[n].click(), tool);
     await reach.look(`build ${tool}`);
   }
+  await mistake(studio);
+  await reach.look('what does not fit');
   await key(studio, 'Shift+E');
   await giveOrders(studio);
   await press(studio, '[role="tab"][data-tab="orders"]');
@@ -206,6 +208,24 @@ export async function steering(studio, reach = new Reach(studio)) {
   await studio.page.keyboard.press('Escape');
   await press(studio, '.card-close');
   reach.tell();
+}
+
+/** A hedge that nobody can jump over, where the camera looks. */
+async function mistake(studio) {
+  await studio.page.evaluate(async () => {
+    const { clips } = await (await globalThis.__muster.ask('scenario')).json();
+    const { x, y } = globalThis.__muster.frame.groups[0];
+    const polygon = [
+      [x - 2, y - 3],
+      [x + 2, y - 3],
+      [x + 2, y - 2],
+      [x - 2, y - 2],
+    ];
+    const patch = { name: 'Hedge', polygon, motion: clips.findIndex(({ name }) => name === 'jump') };
+    const commands = [{ kind: 'putThing', patch }];
+    globalThis.__muster.client.send({ type: 'Edit', label: 'Hedge', gesture: 0, commands, bodies: [] });
+  });
+  await studio.page.locator('.build-note').waitFor();
 }
 
 /** The tabs of the sheet; one nameless where the window has room for all. */

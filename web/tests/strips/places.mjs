@@ -38,7 +38,7 @@ export async function play({ studio, hand, take }) {
       [4, 5],
     ]),
   );
-  await hand.press(tool(studio, 'Patch'));
+  await hand.press(tool(studio, 'Net'));
   await hand.draw(
     await hand.around([
       [5.5, 1],

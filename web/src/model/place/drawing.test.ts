@@ -1,10 +1,15 @@
 import { describe, expect, it } from 'vitest';
-import { drawn, kDrawingOptions, polygonThing, routed, wallOf, type DrawingOptions } from './drawing';
+import { drawn, kDrawingOptions, polygonThing, wallOf, type DrawingOptions } from './drawing';
+import { routed } from './routes';
 import { rightAngled, snapped } from './snap';
 import { thing } from './things';
 
 const kOptions: DrawingOptions = {
   ...kDrawingOptions,
+  clips: ['run', 'walk', 'duck', 'crawl', 'swim', 'jump', 'climb'].map((name) => ({
+    name,
+    length: { jump: 2.1, climb: 1.8 }[name] ?? 0,
+  })),
   height: 2,
   width: 0.5,
   speed: 2,

@@ -4,36 +4,48 @@ import type { AreaKindWord } from '../../protocol/generated/words';
 import type { Vec2 } from '../../protocol/generated/commands';
 import { formationKind } from '../sequence';
 import { distance, type GroundPoint } from '../plane';
+import { gated, kNever } from './gates';
+import { depthFor, kClimbed, kJumped, motionOf, type PlaceClip } from './motions';
 import { groupRadius, thing, type Thing } from './things';
 
 export const kBuildTools = [
   'select',
+  'wall',
+  'door',
+  'gate',
+  'hedge',
+  'water',
+  'net',
+  'branches',
+  'stairs',
+  'car',
   'box',
   'disc',
   'polygon',
-  'wall',
-  'patch',
-  'stairs',
   'route',
   'exit',
   'source',
   'waiting',
+  'people',
   'item',
   'checkpoint',
-  'people',
 ] as const;
 export type BuildTool = (typeof kBuildTools)[number];
 
 /** What new things are like. */
 export interface DrawingOptions {
-  /** Of walls and other obstacles [m]. */
+  /** Motions of the place. */
+  readonly clips: readonly PlaceClip[];
+  /** Of obstacles and walls, which people climb where they are low, and of hedges, which they jump there [m]. */
   readonly height: number;
-  /** Of walls [m]. */
+  readonly hedgeHeight: number;
+  /** Of walls, and of doors [m]. */
   readonly width: number;
-  /** Of patches: index into the scene's clips. */
-  readonly motion: number;
-  /** Of stairs: index into the scene's clips, across the way up [m], travel speeds relative to running. */
-  readonly stairsMotion: number;
+  readonly doorWidth: number;
+  /** Of gates: when they open and shut again [s]. */
+  readonly opens: number;
+  readonly shuts: number;
+  /** Of stairs: across the way up [m], travel speeds relative to running. */
   readonly stairsWidth: number;
   readonly speedUp: number;
   readonly speedDown: number;
@@ -53,14 +65,17 @@ export interface DrawingOptions {
 
 /** What is drawn before anything else was chosen. */
 export const kDrawingOptions: DrawingOptions = {
+  clips: [],
   height: 3,
+  hedgeHeight: kJumped.height,
   width: 0.3,
-  motion: 3,
+  doorWidth: 1.2,
+  opens: kNever,
+  shuts: kNever,
   speed: 1.5,
   formation: 'square',
   count: 20,
   spacing: 1,
-  stairsMotion: 1,
   stairsWidth: 2,
   speedUp: 0.5,
   speedDown: 0.7,
@@ -74,11 +89,18 @@ const kPress = 0.3;
 /** Of what is pressed, not drawn [m]. */
 const kPressed = { box: 1, disc: 0.5, checkpoint: 2, item: 0.5 };
 const kAreaNames = { exit: 'Exit', source: 'Source', waiting: 'Waiting area' };
-/** Points of a route lie so far apart [m]. */
-const kRouteStep = 0.5;
+/** Ground that is drawn from corner to corner: its motion and its name. */
+const kGrounds = { water: ['swim', 'Water'], net: ['crawl', 'Net'], branches: ['duck', 'Branches'] } as const;
+/** Of hedges that nobody jumps, and of gates [m]. */
+const kHedgeWidth = 0.6;
+const kGate = { width: 0.2, height: 2 };
 
-export function isAreaTool(tool: BuildTool): tool is AreaKindWord {
-  return tool in kAreaNames;
+/** The motion that a tool makes ground of; empty for none. */
+export function motionOfTool(tool: BuildTool, { height, hedgeHeight }: DrawingOptions): string {
+  if (tool === 'water' || tool === 'net' || tool === 'branches') return kGrounds[tool][0];
+  if (tool === 'stairs') return 'walk';
+  if (tool === 'hedge') return hedgeHeight <= kJumped.most ? 'jump' : '';
+  return tool === 'wall' && height <= kClimbed.most ? 'climb' : '';
 }
 
 function rectangle(a: GroundPoint, b: GroundPoint): Vec2[] {
@@ -116,40 +138,66 @@ function round(a: GroundPoint, b: GroundPoint, pressed: number): { centre: Vec2;
   return { centre: [a.x, a.y], radius: radius < kPress ? pressed : radius };
 }
 
+type Maker = (a: GroundPoint, b: GroundPoint, options: DrawingOptions, tool: BuildTool) => Thing | null;
+
+const ground: Maker = (a, b, options, tool) =>
+  groundThing(boxOf(a, b), kGrounds[tool as keyof typeof kGrounds][1], tool, options);
+const area: Maker = (a, b, options, tool) => areaThing(tool as AreaKindWord, boxOf(a, b), options);
+const formationOf = ({ formation, spacing }: DrawingOptions): Thing['formation'] => ({
+  kind: formationKind(formation),
+  spacing,
+});
+
+const kMakers: Partial<Record<BuildTool, Maker>> = {
+  box: (a, b, { height }) => polygonThing(boxOf(a, b), height),
+  disc: (a, b, { height }) => thing('obstacle', { ...round(a, b, kPressed.disc), height }),
+  wall: barrier,
+  hedge: barrier,
+  gate: barrier,
+  water: ground,
+  net: ground,
+  branches: ground,
+  exit: area,
+  source: area,
+  waiting: area,
+  stairs: stairsThing,
+  item: (_a, b) => thing('item', { centre: [b.x, b.y], radius: kPressed.item }),
+  checkpoint: (a, b, options) =>
+    thing('checkpoint', { ...round(a, b, kPressed.checkpoint), formation: formationOf(options) }),
+  people: (a, b, options) => {
+    const { count, spacing } = options;
+    const angle = distance(a, b) < kPress ? 0 : Math.atan2(b.y - a.y, b.x - a.x);
+    const radius = groupRadius(count, spacing);
+    return thing('group', { name: 'Group', centre: [a.x, a.y], angle, count, formation: formationOf(options), radius });
+  },
+};
+
 /** The thing that a stroke from `a` to `b` makes by a tool; null where it makes none. */
 export function drawn(tool: BuildTool, a: GroundPoint, b: GroundPoint, options: DrawingOptions): Thing | null {
-  const { height, motion, count, spacing } = options;
-  const formation = { kind: formationKind(options.formation), spacing };
-  if (isAreaTool(tool)) return areaThing(tool, boxOf(a, b), options);
-  switch (tool) {
-    case 'box':
-      return polygonThing(boxOf(a, b), height);
-    case 'disc':
-      return thing('obstacle', { ...round(a, b, kPressed.disc), height });
-    case 'wall': {
-      const polygon = wallOf(a, b, options.width);
-      return polygon && polygonThing(polygon, height);
-    }
-    case 'patch': {
-      const polygon = boxOf(a, b);
-      return thing('patch', { polygon, centre: centreOf(polygon), motion });
-    }
-    case 'stairs':
-      return stairsThing(a, b, options);
-    case 'item':
-      return thing('item', { centre: [b.x, b.y], radius: kPressed.item });
-    case 'checkpoint':
-      return thing('checkpoint', { ...round(a, b, kPressed.checkpoint), formation });
-    case 'people': {
-      const angle = distance(a, b) < kPress ? 0 : Math.atan2(b.y - a.y, b.x - a.x);
-      const radius = groupRadius(count, spacing);
-      return thing('group', { name: 'Group', centre: [a.x, a.y], angle, count, formation, radius });
-    }
-    case 'select':
-    case 'polygon':
-    case 'route':
-      return null;
+  return kMakers[tool]?.(a, b, options, tool) ?? null;
+}
+
+/** Ground on which people do what its motion says; null where the place has no such motion. */
+function groundThing(polygon: readonly Vec2[], name: string, tool: BuildTool, options: DrawingOptions): Thing | null {
+  const motion = motionOf(options.clips, motionOfTool(tool, options));
+  return motion < 0 ? null : thing('patch', { name, polygon, centre: centreOf(polygon), motion });
+}
+
+/** What stands along the line, across the way of people; null for a press. */
+function barrier(a: GroundPoint, b: GroundPoint, options: DrawingOptions, tool: BuildTool): Thing | null {
+  const length = distance(a, b);
+  if (length < kPress) return null;
+  const over = motionOf(options.clips, motionOfTool(tool, options));
+  if (over >= 0) {
+    // Who jumps or climbs may come from any side.
+    const depth = depthFor(options.clips[over]);
+    const share = Math.max(1, depth / length);
+    const end = { x: a.x + share * (b.x - a.x), y: a.y + share * (b.y - a.y) };
+    return groundThing(wallOf(a, end, depth)!, tool === 'hedge' ? 'Hedge' : 'Wall', tool, options);
   }
+  if (tool === 'wall') return polygonThing(wallOf(a, b, options.width)!, options.height);
+  if (tool === 'hedge') return { ...polygonThing(wallOf(a, b, kHedgeWidth)!, options.hedgeHeight)!, name: 'Hedge' };
+  return gated({ ...polygonThing(wallOf(a, b, kGate.width)!, kGate.height)!, name: 'Gate' }, options);
 }
 
 /** Up from `a` to `b`; null for a press. */
@@ -157,7 +205,7 @@ function stairsThing(a: GroundPoint, b: GroundPoint, options: DrawingOptions): T
   const polygon = wallOf(a, b, options.stairsWidth);
   const ascent = Math.atan2(b.y - a.y, b.x - a.x);
   const rest = { speed: options.speedUp, speedDown: options.speedDown };
-  const { stairsMotion: motion } = options;
+  const motion = Math.max(0, motionOf(options.clips, 'walk'));
   return polygon && thing('patch', { name: 'Stairs', polygon, centre: centreOf(polygon), motion, ascent, rest });
 }
 
@@ -176,22 +224,4 @@ function centreOf(polygon: readonly Vec2[]): Vec2 {
 /** An obstacle with these corners; null for fewer than three. */
 export function polygonThing(polygon: readonly Vec2[], height: number): Thing | null {
   return polygon.length < 3 ? null : thing('obstacle', { polygon, centre: centreOf(polygon), height });
-}
-
-/** The thing moves along a drawn line and back, or round where the line ends near its beginning. `now` is the time of the
- * world [s]: it starts at once. */
-export function routed(one: Thing, line: readonly GroundPoint[], speed: number): Thing {
-  const points = line.filter((p, k) => k === 0 || k === line.length - 1 || distance(p, line[k - 1]!) >= 0);
-  const kept: GroundPoint[] = [];
-  for (const p of points) if (kept.length === 0 || distance(p, kept[kept.length - 1]!) >= kRouteStep) kept.push(p);
-  if (kept.length < 2) return { ...one, path: null };
-  const first = kept[0]!;
-  const closes = distance(first, kept[kept.length - 1]!) < 3 * kRouteStep && kept.length > 6;
-  const way = closes ? [...kept.slice(0, -1), first] : [...kept, ...[...kept].reverse().slice(1)];
-  let t = 0;
-  const waypoints = way.map((p, k) => {
-    if (k > 0) t += distance(p, way[k - 1]!) / Math.max(0.05, speed);
-    return { time: t, position: [p.x - first.x, p.y - first.y] as const, angle: 0 };
-  });
-  return { ...one, path: { waypoints, loop: true } };
 }

@@ -185,7 +185,7 @@ describe('GeoJSON', () => {
     expect(leftOutText({ crosses: 3 }, 812)).toBe('3 of 812 outlines were left out: they cross themselves.');
     expect(leftOutText({ flat: 1 }, 2)).toBe('1 of 2 outlines was left out: it encloses no ground.');
     expect(leftOutText({ crosses: 3, other: 1 }, 1812)).toBe(
-      '4 of 1,812 outlines were left out: 3 cross themselves, 1 is no building or wall.',
+      '4 of 1,812 outlines were left out: 3 cross themselves, 1 is no building, wall or water.',
     );
     expect(leftOutText({}, 3)).toBe('');
   });

@@ -1,4 +1,4 @@
-// GeoJSON (RFC 7946) as obstacles: polygons are buildings, lines are walls.
+// GeoJSON (RFC 7946) as obstacles and water: polygons are buildings or water, lines are walls.
 
 import type { GroundPoint } from '../plane';
 import { withoutCourtyards } from './courtyards';
@@ -53,6 +53,13 @@ const kNoObstacle = [
   'amenity',
   'area:highway',
 ];
+/** What OpenStreetMap calls water. */
+const kWater: Readonly<Record<string, readonly string[]>> = {
+  natural: ['water', 'bay'],
+  waterway: ['riverbank', 'dock'],
+  landuse: ['reservoir', 'basin'],
+  leisure: ['swimming_pool'],
+};
 const kObstacle = ['building', 'building:part', 'barrier', 'wall', 'man_made'];
 
 const isRecord = (value: unknown): value is Record<string, unknown> =>
@@ -129,6 +136,10 @@ function projectionOf(root: Record<string, unknown>, shapes: readonly Shape[]): 
   };
 }
 
+function isWater({ kind, properties }: Shape): boolean {
+  return kind === 'polygon' && Object.entries(kWater).some(([key, words]) => words.includes(String(properties[key])));
+}
+
 function isObstacle({ kind, properties }: Shape): boolean {
   const says = (key: string): boolean =>
     properties[key] !== undefined && properties[key] !== null && properties[key] !== 'no';
@@ -155,7 +166,7 @@ function outlinesOf(
   toMetres: Projection['toMetres'],
   options: GeoOptions,
 ): readonly Ring[] | keyof LeftOut {
-  if (!isObstacle(shape)) return 'other';
+  if (!isWater(shape) && !isObstacle(shape)) return 'other';
   if (liesBelow(shape.properties)) return 'below';
   if (footOf(shape.properties) >= kHeadroom) return 'above';
   const [outer, ...holes] = shape.rings.map((ring) => ring.map(toMetres));
@@ -211,9 +222,11 @@ export function readGeoJson(text: string, file: string, options: GeoOptions = kU
       continue;
     }
     const height = heightOf(shape.properties);
-    if (height === null) withoutHeight += 1;
+    const water = isWater(shape);
+    if (height === null && !water) withoutHeight += 1;
     const usual = shape.kind === 'line' ? kWallHeight : options.usualHeight;
-    for (const corners of found) outlines.push({ name: nameOf(shape.properties), height: height ?? usual, corners });
+    for (const corners of found)
+      outlines.push({ name: nameOf(shape.properties), height: height ?? usual, corners, ...(water ? { water } : {}) });
   }
   return { outlines: most(outlines, left), left, total: shapes.length, geographic, withoutHeight };
 }

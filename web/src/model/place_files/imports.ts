@@ -104,7 +104,9 @@ function sizeText(outlines: readonly Outline[]): string {
   if (!bounds) return 'Nothing of it stands in the way.';
   const metres = (value: number): string => (value < 10 ? value.toFixed(1) : Math.round(value).toLocaleString('en'));
   const [wide, high] = [bounds.max.x - bounds.min.x, bounds.max.y - bounds.min.y];
-  return `${number(outlines.length, 'obstacle', 'obstacles')} on ${metres(wide)} × ${metres(high)} m.`;
+  const waters = outlines.filter(({ water }) => water).length;
+  const water = waters > 0 ? ` and ${number(waters, 'piece of water', 'pieces of water')}` : '';
+  return `${number(outlines.length - waters, 'obstacle', 'obstacles')}${water} on ${metres(wide)} × ${metres(high)} m.`;
 }
 
 function ofOutlines(outlines: readonly Outline[], settings: ImportSettings, file: string): PlaceDefinition {
@@ -118,8 +120,11 @@ export function importedFrom(source: ImportSource, settings: ImportSettings): Im
   const { scale, name, people, cell } = settings;
   if (source.kind === 'map') {
     const { width, height, free } = source.map;
+    const place = placeOfMap(source.map, name, cell, people);
     const notes = [`${width} × ${height} cells, ${number(free, 'of them free', 'of them free')}.`];
-    return { outlines: [], meshes: [], place: placeOfMap(source.map, name, cell, people), notes };
+    const room = place.groups?.[0]?.count ?? people;
+    if (room < people) notes.push(`There is room for ${number(room, 'person', 'people')}.`);
+    return { outlines: [], meshes: [], place, notes };
   }
   if (source.kind === 'geojson') {
     const read = readGeoJson(source.text, source.file, settings);

@@ -12,7 +12,7 @@ const kWhy: Readonly<Record<Reason, readonly [one: string, several: string]>> = 
   numbers: ['has corners that are no numbers', 'have corners that are no numbers'],
   above: ['hangs above people’s heads', 'hang above people’s heads'],
   below: ['lies below the ground', 'lie below the ground'],
-  other: ['is no building or wall', 'are no buildings or walls'],
+  other: ['is no building, wall or water', 'are no buildings, walls or waters'],
   many: ['is one more than the 20,000 that a place holds', 'are more than the 20,000 that a place holds'],
   outside: ['lies outside the place', 'lie outside the place'],
 };

@@ -1,15 +1,25 @@
 // Places made of outlines: a new one around them, or commands that add them to the present one.
 
 import type { Command } from '../../protocol/generated/commands';
-import type { ObstacleDef } from '../../protocol/generated/definitions';
+import type { ObstacleDef, PatchDef } from '../../protocol/generated/definitions';
 import { sizeOf } from '../../protocol/encoding';
 import type { Edit } from '../../protocol/messages';
 import { startFor } from './free_ground';
 import { count, type LeftOut } from './left_out';
-import { type Bounds, boundsOfOutlines, obstacleOf, type Outline, type PlaceDefinition, toMillimetre } from './place';
+import {
+  type Bounds,
+  boundsOfOutlines,
+  obstacleOf,
+  type Outline,
+  type PlaceDefinition,
+  toMillimetre,
+  waterOf,
+} from './place';
 
 /** Free ground around what was imported: such a share of its size, at least [m]. */
 const kMargin = { share: 0.08, least: 6 };
+/** The motion of people in water. */
+export const kSwim = 'swim';
 /** Cells of the ground: at most so many, and so large where places are large [m]. */
 const kMostGround = 15.5e6;
 const kCells = { fine: 0.25, usual: 0.5, fineUpTo: 200 };
@@ -41,6 +51,7 @@ export function placeAround(
 ): PlaceDefinition {
   const box = boxAround(outlines);
   const { x, y } = startFor(about.people, box, outlines);
+  const waters = outlines.filter(({ water }) => water);
   return {
     format: 'muster-scenario',
     version: 1,
@@ -51,7 +62,8 @@ export function placeAround(
       [box.max.x, box.max.y],
     ],
     cell: cellFor(box.max.x - box.min.x, box.max.y - box.min.y),
-    obstacles: outlines.map(obstacleOf),
+    obstacles: outlines.filter(({ water }) => !water).map(obstacleOf),
+    ...(waters.length > 0 ? { patches: waters.map((one) => waterOf(one, kSwim)) } : {}),
     groups: [
       {
         name: 'Crowd',
@@ -74,8 +86,13 @@ export function within(outlines: readonly Outline[], box: Bounds, left: LeftOut)
   return kept;
 }
 
-/** Messages that add obstacles; one undo takes all of them back. */
-export function additionOf(obstacles: readonly ObstacleDef[], label: string, gesture: number): Edit[] {
+/** Messages that add obstacles and water; one undo takes all of them back. */
+export function additionOf(
+  obstacles: readonly ObstacleDef[],
+  label: string,
+  gesture: number,
+  waters: readonly (PatchDef & { readonly motion: number })[] = [],
+): Edit[] {
   const messages: Edit[] = [];
   let commands: Command[] = [];
   let size = 0;
@@ -83,8 +100,14 @@ export function additionOf(obstacles: readonly ObstacleDef[], label: string, ges
     if (commands.length > 0) messages.push({ type: 'Edit', label, gesture, commands, bodies: [] });
     [commands, size] = [[], 0];
   };
-  for (const { name, polygon, centre, radius, height } of obstacles) {
-    const command: Command = { kind: 'putThing', obstacle: { name, polygon, centre, radius, height } };
+  const made: Command[] = [
+    ...obstacles.map(({ name, polygon, centre, radius, height }): Command => ({
+      kind: 'putThing',
+      obstacle: { name, polygon, centre, radius, height },
+    })),
+    ...waters.map(({ name, polygon, motion }): Command => ({ kind: 'putThing', patch: { name, polygon, motion } })),
+  ];
+  for (const command of made) {
     const own = sizeOf('Command', command);
     if (commands.length === kMostCommands || size + own > kMostBytes) send();
     commands.push(command);

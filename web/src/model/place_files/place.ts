@@ -1,6 +1,6 @@
 // What a place is made of, as scenario files say it (docs/scenario-format.md), and what was read from other files.
 
-import type { ObstacleDef, Point, WorldDef } from '../../protocol/generated/definitions';
+import type { ObstacleDef, PatchDef, Point, WorldDef } from '../../protocol/generated/definitions';
 import type { GroundPoint } from '../plane';
 
 /** A scenario that has a name. */
@@ -15,6 +15,8 @@ export interface Outline {
   readonly name: string;
   readonly height: number;
   readonly corners: readonly GroundPoint[];
+  /** People swim there. */
+  readonly water?: boolean;
 }
 
 export interface Bounds {
@@ -56,9 +58,19 @@ export function boundsOfOutlines(outlines: readonly Outline[]): Bounds | null {
   );
 }
 
+const nameOf = (name: string): string => [...name].slice(0, 80).join('');
+
+/** The ground on which people swim, by the name of that motion or its index. */
+export function waterOf<Motion extends string | number>(
+  { name, corners }: Outline,
+  motion: Motion,
+): PatchDef & { readonly motion: Motion } {
+  return { name: nameOf(name) || 'Water', polygon: corners.map(pairOf), motion };
+}
+
 export function obstacleOf({ name, height, corners }: Outline): ObstacleDef {
   return {
-    name: [...name].slice(0, 80).join(''),
+    name: nameOf(name),
     polygon: corners.map(pairOf),
     height: toMillimetre(Math.min(kHeights.most, Math.max(kHeights.least, height))),
   };
@@ -73,8 +85,8 @@ export function placedOutlines(
   if (!bounds) return [];
   const [mx, my] = [(bounds.min.x + bounds.max.x) / 2, (bounds.min.y + bounds.max.y) / 2];
   const [c, s] = [scale * Math.cos(turn), scale * Math.sin(turn)];
-  return outlines.map(({ name, height, corners }) => ({
-    name,
+  return outlines.map(({ height, corners, ...more }) => ({
+    ...more,
     height: height * scale,
     corners: corners.map(({ x, y }) => ({
       x: at.x + c * (x - mx) - s * (y - my),

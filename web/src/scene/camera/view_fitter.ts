@@ -22,9 +22,14 @@ const kReadable = 14;
 export const kHeadroom = 44;
 const kGap = 12;
 
+/** Walls at the sides of a place reach so far beyond it on the screen [m]. */
+const kWalls = 2;
+
 export class ViewFitter {
   /** What panels cover. */
   padding: Padding = { top: 84, right: 24, bottom: 120, left: 24 };
+  /** The next world opens with all of it in view. */
+  whole = false;
   private scene_: SceneFacts | null = null;
   private opened_ = false;
   /** The last fit was to the crowd, and asks for the place next. */
@@ -52,7 +57,10 @@ export class ViewFitter {
     const crowd = crowdOutline(positions, groups, 0);
     if (crowd.length === 0) return;
     this.opened_ = true;
+    const { whole } = this;
+    this.whole = false;
     if (this.camera_.placed) return;
+    if (whole) return this.camera_.fit(this.place(), this.padding);
     const alone = surroundings(this.scene_, crowd).length === 0;
     const points = alone ? crowdOutline(positions, groups, this.span()) : crowd;
     const wanted = [...points, ...goals(groups, points)];
@@ -81,10 +89,12 @@ export class ViewFitter {
     return Math.max(away, Math.abs(wanted.distance - pose.distance)) < kSame * wanted.distance;
   }
 
-  /** The corners of the place. */
+  /** The corners of the place, with the walls about it. */
   private place(): GroundPoint[] {
-    const { min, max } = this.scene_?.box ?? { min: [0, 0], max: [0, 0] };
-    return [min[0], max[0]].flatMap((x) => [min[1], max[1]].map((y) => ({ x, y })));
+    if (!this.scene_) return [];
+    const { min, max } = this.scene_.box;
+    const ys = [min[1] - kWalls, max[1] + kWalls];
+    return [min[0] - kWalls, max[0] + kWalls].flatMap((x) => ys.map((y) => ({ x, y })));
   }
 
   /** Between the panels, with the room above the ground that must be seen [CSS px]. */

@@ -3,7 +3,7 @@
 import type { BufferGeometry } from 'three';
 import type { Vec2 } from '../../protocol/generated/commands';
 import type { SceneObstacle } from '../../protocol/messages';
-import { isMoving } from '../../protocol/scene';
+import { isGatePath, isMoving } from '../../protocol/scene';
 import { circlePoints, counterClockwise, GeometryBuilder, type Vec3 } from '../drawing/geometry_builder';
 import type { Palette } from '../drawing/palette';
 
@@ -13,11 +13,14 @@ export const kCutHeight = 3.2;
 /** Lengths and widths of cars, and the length below which a moving obstacle is an animal [m]. */
 const kCar = { longLeast: 2.8, longMost: 7, wideLeast: 1.3, wideMost: 2.6 };
 const kSmall = 1.2;
+/** Bars of gates [m]. */
+const kBar = { thick: 0.09, apart: 0.3 };
 
-export type ObstacleLook = 'building' | 'hedge' | 'pillar' | 'fountain' | 'tree' | 'car' | 'mouse';
+export type ObstacleLook = 'building' | 'gate' | 'hedge' | 'pillar' | 'fountain' | 'tree' | 'car' | 'mouse';
 
 /** How an obstacle is shown. */
 export function lookOfObstacle(obstacle: SceneObstacle): ObstacleLook {
+  if (isGatePath(obstacle.path)) return 'gate';
   const name = obstacle.name.toLowerCase();
   const disc = obstacle.radius > 0;
   if (!disc && /\b(car|coupe|van|bus|taxi|truck|lorry)\b/.test(name)) return 'car';
@@ -49,6 +52,7 @@ export function addObstacle(builder: GeometryBuilder, obstacle: SceneObstacle, p
   const outline = outlineOf(obstacle);
   if (outline.length < 3) return [];
   if (look === 'mouse') return addMouse(builder, outline, height, palette);
+  if (look === 'gate') return addGate(builder, outline, height, palette);
   const walls = { pillar: palette.stone, hedge: palette.crown }[look as string] ?? palette.wall;
   const lids = { pillar: palette.stone, hedge: palette.crown }[look as string] ?? palette.roof;
   builder.prism(outline, 0, height, walls, lids);
@@ -59,6 +63,22 @@ export function addObstacle(builder: GeometryBuilder, obstacle: SceneObstacle, p
 export function outlineOf(obstacle: SceneObstacle): readonly Vec2[] {
   if (obstacle.polygon.length >= 3) return counterClockwise(obstacle.polygon);
   return circlePoints(...obstacle.centre, obstacle.radius, 28);
+}
+
+/** Bars between two rails. */
+function addGate(builder: GeometryBuilder, outline: readonly Vec2[], height: number, palette: Palette): EdgeLine[] {
+  const box = boxOf(outline);
+  const [c, s] = [Math.cos(box.angle), Math.sin(box.angle)];
+  const at = (u: number, z: number): Vec3 => [box.x + c * u, box.y + s * u, z];
+  const reach = box.length - kBar.thick / 2;
+  const bars = Math.max(2, Math.round((2 * reach) / kBar.apart));
+  for (const z of [0.12, height - 2 * kBar.thick])
+    builder.beam(at(-reach, z), at(reach, z), kBar.thick, kBar.thick, palette.trunk);
+  for (let k = 0; k <= bars; ++k) {
+    const [x, y] = at(-reach + (2 * reach * k) / bars, 0);
+    builder.frustum(x, y, 0, height, kBar.thick / 2, kBar.thick / 2, 6, palette.trunk, palette.trunk);
+  }
+  return [];
 }
 
 function rimOf(outline: readonly Vec2[], height: number): EdgeLine[] {

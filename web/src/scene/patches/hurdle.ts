@@ -1,4 +1,4 @@
-// Patches to jump over: a hedge, a hurdle, or a mouse.
+// Patches to jump over: a hedge, or a mouse.
 
 import type { Vec2 } from '../../protocol/generated/commands';
 import type { Vec3 } from '../drawing/geometry_builder';
@@ -9,37 +9,10 @@ import { addPlain, addRim, blended, type PatchParts, thrown } from './patch_part
 /** Height that the jump clips expect [m]. */
 export const kHurdleHeight = 0.5;
 
-export function addJump(parts: PatchParts, outline: readonly Vec2[], name: string, palette: Palette): void {
-  if (/mouse|mice|rat/i.test(name)) addMouse(parts, outline, palette);
-  else if (/hedge|bush/i.test(name)) addHedge(parts, outline, palette);
-  else addHurdle(parts, outline, palette);
-}
-
-function addHurdle(parts: PatchParts, outline: readonly Vec2[], palette: Palette): void {
-  addPlain(parts, outline, palette.plainFloor, palette.brickLine);
-  const box = boxOf(outline);
-  const c = Math.cos(box.angle),
-    s = Math.sin(box.angle);
-  const at = (u: number, z: number): Vec3 => [box.x + c * u, box.y + s * u, z];
-  const reach = 0.96 * box.length;
-  const spans = Math.max(1, Math.round((2 * reach) / 1.8));
-  for (let i = 0; i < spans; ++i) {
-    const [from, to] = [-reach + (2 * reach * i) / spans, -reach + (2 * reach * (i + 1)) / spans];
-    // Light and coloured in turn, as on a sports ground.
-    parts.solid.beam(
-      at(from, kHurdleHeight - 0.09),
-      at(to, kHurdleHeight - 0.09),
-      0.06,
-      0.09,
-      i % 2 ? palette.coping : palette.brick,
-    );
-    parts.solid.beam(at(from, 0.2), at(to, 0.2), 0.04, 0.05, palette.trunk);
-  }
-  for (let i = 0; i <= spans; ++i) {
-    const [x, y] = at(-reach + (2 * reach * i) / spans, 0);
-    parts.solid.frustum(x, y, 0, kHurdleHeight, 0.04, 0.035, 6, palette.trunk, palette.trunk);
-    parts.solid.beam([x + s * 0.3, y - c * 0.3, 0], [x - s * 0.3, y + c * 0.3, 0], 0.06, 0.035, palette.trunk);
-  }
+/** What is jumped over while it moves is a mouse. */
+export function addJump(parts: PatchParts, outline: readonly Vec2[], moves: boolean, palette: Palette): void {
+  if (moves) addMouse(parts, outline, palette);
+  else addHedge(parts, outline, palette);
 }
 
 function addHedge(parts: PatchParts, outline: readonly Vec2[], palette: Palette): void {

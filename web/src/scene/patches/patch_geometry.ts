@@ -2,6 +2,7 @@
 
 import type { Vec2 } from '../../protocol/generated/commands';
 import type { ScenePatch } from '../../protocol/messages';
+import { isMoving } from '../../protocol/scene';
 import { counterClockwise } from '../drawing/geometry_builder';
 import type { Palette } from '../drawing/palette';
 import { addBranches, kLeavesFrom } from './branches';
@@ -43,10 +44,10 @@ export function addPatch(parts: PatchParts, patch: ScenePatch, clip: string, pal
   const outline = counterClockwise(patch.polygon);
   if (outline.length < 3) return;
   if (patch.ascent !== null) return addStairs(parts, outline, patch.ascent, palette);
-  addLook(lookOfMotion(clip), parts, outline, patch.name, palette);
+  addLook(lookOfMotion(clip), parts, outline, isMoving(patch), palette);
 }
 
-function addLook(look: PatchLook, parts: PatchParts, outline: readonly Vec2[], name: string, palette: Palette): void {
+function addLook(look: PatchLook, parts: PatchParts, outline: readonly Vec2[], moves: boolean, palette: Palette): void {
   switch (look) {
     case 'net':
       return addNet(parts, outline, palette);
@@ -55,7 +56,7 @@ function addLook(look: PatchLook, parts: PatchParts, outline: readonly Vec2[], n
     case 'wall':
       return addWall(parts, outline, palette);
     case 'jump':
-      return addJump(parts, outline, name, palette);
+      return addJump(parts, outline, moves, palette);
     case 'branches':
       return addBranches(parts, outline, palette);
     case 'plain':

@@ -20,7 +20,7 @@ export function followSettings(store: StudioStore, view: StudioScene, padding: (
   store.set({ figures: kept(kFiguresKey) === 'shown' });
   new LayoutWatcher(window, (layout) => {
     store.set({ layout });
-    requestAnimationFrame(() => view.setPadding(padding()));
+    requestAnimationFrame(() => void (view.fitter.padding = padding()));
   });
   followSystemTheme(window, (theme) => store.set({ theme }));
   store.watch(['theme'], ({ theme }) => {

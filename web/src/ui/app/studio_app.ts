@@ -16,6 +16,7 @@ import { isSameWorld, type SceneFacts } from '../../protocol/scene';
 import { problem, word } from '../../protocol/problem';
 import { CameraGesture, OrbitGesture } from '../../tools/camera_gesture';
 import type { Contact, ContactOwner } from '../../tools/contact';
+import { heldWord } from '../../model/control_watch';
 import { CrowdKeys } from '../../tools/crowd_keys';
 import { Drafts } from '../../tools/drafts';
 import { FormationHitTest } from '../../tools/formation_hit_test';
@@ -32,7 +33,6 @@ import { judged } from '../orders/judged_orders';
 import { OrderController } from '../orders/order_controller';
 import { DirectorsController } from '../directors/directors_controller';
 import { AttentionSender } from './attention_sender';
-import { kKindNames } from '../../model/control_watch';
 import { ControlAnnouncer } from './control_announcer';
 import { LazyCursor } from '../steer/lazy_cursor';
 import { GhostHand } from '../steer/ghost_hand';
@@ -196,10 +196,7 @@ export class StudioApp {
   }
 
   /** The word for what Escape would let go of. */
-  private readonly held = (): string | null => {
-    const own = this.frame && this.controls_.newestIn(this.frame);
-    return own && kKindNames[own.control.kind].toLowerCase();
-  };
+  private readonly held = (): string | null => heldWord(this.frame && this.controls_.newestIn(this.frame)?.control);
 
   /** Escape drops what is being drawn, then puts the tool away, then ends controls. */
   private letGo(): void {
@@ -322,7 +319,7 @@ export class StudioApp {
       const opens = !before || !isSameWorld(before, scene);
       if (opens) this.forgetWorld();
       this.view_.setScene(scene);
-      if (opens) this.view_.setPadding(this.shell_.padding());
+      if (opens) this.view_.fitter.padding = this.shell_.padding();
     } catch (error) {
       this.store.set({ notice: problem('scene', `The scene could not be shown: ${String(error)}`) });
     }

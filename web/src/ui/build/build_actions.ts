@@ -2,16 +2,23 @@
 
 import type { BuildTool, DrawingOptions } from '../../model/place/drawing';
 import type { PlaceChange, Thing, ThingKind } from '../../model/place/things';
+import type { SceneFacts } from '../../protocol/scene';
 
 /** Formations that people and checkpoints may have. */
 export const kShapes: readonly string[] = ['square', 'line', 'column', 'wedge', 'circle', 'ring', 'crescent', 'cross'];
 
 export interface BuildActions {
-  options: DrawingOptions;
+  readonly options: DrawingOptions;
+  readonly scene: SceneFacts | null;
+  /** Of the world [s]. */
+  readonly time: number;
+  setOptions(change: Partial<DrawingOptions>): void;
   setTool(tool: BuildTool): void;
   setSnaps(on: boolean): void;
   toggleLayer(kind: ThingKind, what: 'hidden' | 'locked', on: boolean): void;
   edit(label: string, change: (one: Thing) => Thing): void;
+  /** The same where what is chosen may become a thing of another kind. */
+  become(label: string, change: (one: Thing) => Thing): void;
   editGroup(label: string, event: (one: Thing) => PlaceChange): void;
   /** The same while a slider is dragged: begins, goes on, ends. All of it is one step of the history. */
   dragBegins(): void;

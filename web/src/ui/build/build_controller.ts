@@ -4,20 +4,26 @@ import { PanelLayout } from '../widgets/panel_layout';
 import type { StudioClient } from '../../link/studio_client';
 import type { StudioStore } from '../../model/studio_store';
 import type { GroundPoint, ScreenPoint } from '../../model/plane';
-import { kDrawingOptions, type BuildTool, type DrawingOptions } from '../../model/place/drawing';
-import { emptiedGroups, isNobody, joinedSource, newArrivals } from '../../model/place/areas';
+import { kDrawingOptions, motionOfTool, type BuildTool, type DrawingOptions } from '../../model/place/drawing';
+import { mistakeOf, motionOf } from '../../model/place/motions';
+import { withDoor } from '../../model/place/doors';
+import { standing } from '../../model/place/routes';
 import * as things from '../../model/place/things';
 import type { PlaceChange, Thing, ThingKind } from '../../model/place/things';
 import { OverlayKind, PlaybackAction } from '../../protocol/messages';
 import type { SceneFacts } from '../../protocol/scene';
 import type { StudioScene } from '../../scene/studio_scene';
 import { BuildPointer } from '../../tools/build_pointer';
-import { firstOf, type HistoryController } from '../orders/history_controller';
+import type { HistoryController } from '../orders/history_controller';
 import type { BuildActions } from './build_actions';
-import { BuildEdits, changeOf, type PlaceEdit } from './build_edits';
+import { BuildEdits, type PlaceEdit } from './build_edits';
 import { BuildKeys } from './build_keys';
 import { BuildLayer } from './build_layer';
 import { BuildPanel } from './build_panel';
+import { LayerFilter } from './layer_filter';
+import { MistakeNotes } from './mistake_notes';
+import { NewSources } from './new_sources';
+import { placeClips } from './place_clips';
 import { BuildStroking, type StrokeHost } from './build_strokes';
 import '../styles/build.css';
 
@@ -33,15 +39,16 @@ export interface BuildParts {
 const kBeside = 1;
 /** Of an edit that was refused [ms]. */
 const kPreviewStays = 1500;
-/** Numbers follow what is dragged so often [ms]. */
-const kNumbersFollow = 150;
 
 export class BuildController implements StrokeHost, BuildActions {
   private readonly layer_: BuildLayer;
   private readonly panel_: BuildPanel;
-  private scene_: SceneFacts | null = null;
+  private readonly notes_: MistakeNotes;
+  scene: SceneFacts | null = null;
+  time = 0;
   /** As the server shows them, and with what it has been told since. */
   private served_: readonly Thing[] = [];
+  private servedAt_ = 0;
   private things_: readonly Thing[] = [];
   private chosen_: readonly Thing[] = [];
   preview: readonly Thing[] = [];
@@ -50,23 +57,32 @@ export class BuildController implements StrokeHost, BuildActions {
   private open_ = false;
   private readonly edits_: BuildEdits;
   private waits_ = 0;
-  private showsSoon_ = 0;
   tool: BuildTool = 'select';
   snaps = true;
-  private readonly hidden_ = new Set<ThingKind>();
-  private readonly locked_ = new Set<ThingKind>();
+  private readonly layers_ = new LayerFilter();
   /** The next thing that comes is chosen. */
   private choosesNew_ = false;
   options: DrawingOptions = kDrawingOptions;
-  /** A source that waits for its group. */
-  private source_: Thing | null = null;
+  private readonly sources_ = new NewSources((edit) => this.edits_.send(edit));
 
   constructor(private readonly parts_: BuildParts) {
     const { view, client } = parts_;
     this.layer_ = new BuildLayer({ toScreen: (point) => view.worldToScreen(point) });
     this.panel_ = new BuildPanel(this);
-    this.edits_ = new BuildEdits(client, () => this.refresh());
-    parts_.page.before(this.layer_.root);
+    this.notes_ = new MistakeNotes({
+      toScreen: (point) => view.worldToScreen(point),
+      choose: ({ thing }) => (this.chosen = [thing]),
+      fit: ({ thing, fits }) => this.change(`Fit ${thing.kind}`, [fits]),
+      page: parts_.page,
+    });
+    this.edits_ = new BuildEdits(
+      client,
+      () => this.refresh(),
+      () => this.time,
+    );
+    parts_.page.before(this.layer_.root, this.notes_.root);
+    // Whoever goes on to the scene has done with what was typed.
+    this.layer_.root.addEventListener('pointerdown', () => this.panel_.leaveField());
     PanelLayout.of(parts_.page).add('build', this.panel_.root);
     BuildPointer.over(view, this.strokes_).listen(this.layer_.root);
     new BuildKeys(this, () => this.open_);
@@ -78,8 +94,8 @@ export class BuildController implements StrokeHost, BuildActions {
       this.askReach();
     });
     client.on('notice', ({ code }) => this.refused(code));
-    parts_.store.watch(['history'], ({ history }) => this.panel_.setHistory(history));
-    parts_.store.watch(['playing'], ({ playing }) => this.panel_.setPlaying(playing));
+    client.on('frame', ({ frame }) => (this.time = frame.time));
+    parts_.store.watch(['history', 'playing'], ({ history, playing }) => this.panel_.show({ history, playing }));
     this.setTool('select');
     this.layer_.root.style.display = 'none';
     this.panel_.root.hidden = true;
@@ -88,7 +104,7 @@ export class BuildController implements StrokeHost, BuildActions {
   setOpen(open: boolean): void {
     if (open === this.open_) return;
     this.open_ = open;
-    this.layer_.root.style.display = open ? '' : 'none';
+    for (const { style } of [this.layer_.root, this.notes_.root]) style.display = open ? '' : 'none';
     this.panel_.root.hidden = !open;
     this.strokes_.drop();
     this.showLayers();
@@ -96,6 +112,7 @@ export class BuildController implements StrokeHost, BuildActions {
     if (!open) return this.close();
     this.askReach();
     this.panel_.focus();
+    this.showChosen();
     requestAnimationFrame(this.drawn);
   }
 
@@ -111,12 +128,14 @@ export class BuildController implements StrokeHost, BuildActions {
 
   setScene(scene: SceneFacts): void {
     const before = this.served_;
-    const same = this.scene_?.world === scene.world && this.scene_.name === scene.name;
-    this.scene_ = scene;
-    const follows = this.sourceFollows(scene, same);
-    const walk = scene.clips.findIndex(({ name }) => name === 'walk');
-    this.options = { ...this.options, stairsMotion: Math.max(0, walk) };
-    this.served_ = things.thingsOf(scene);
+    const same = this.scene?.world === scene.world && this.scene.name === scene.name;
+    this.scene = scene;
+    const follows = this.sources_.follow(scene, this.served_, same);
+    if (!same)
+      placeClips(scene.clips, (clips) => {
+        if (this.scene?.world === scene.world) this.setOptions({ clips });
+      });
+    this.serve();
     if (!same) this.edits_.forget();
     this.things_ = this.edits_.over(this.served_);
     this.chosen_ = things.chosenAgain(this.chosen_, before, this.things_, same);
@@ -130,28 +149,31 @@ export class BuildController implements StrokeHost, BuildActions {
     this.edits_.answered();
     this.showChosen();
     // Whoever wakes the view later shows it whole; what is hidden is left out once the studio has shown it.
-    if (this.hidden_.size > 0) queueMicrotask(() => this.showLayers());
+    if (this.layers_.hidesSome) queueMicrotask(() => this.showLayers());
+  }
+
+  /** Things that move, where they stand now. */
+  private serve(): void {
+    this.servedAt_ = this.time;
+    this.served_ = this.scene ? things.thingsOf(this.scene).map((one) => standing(one, this.time)) : [];
   }
 
   private showLayers(): void {
-    if (!this.scene_) return;
-    const shown = (kind: ThingKind): boolean => !this.open_ || !this.hidden_.has(kind);
-    const { obstacles, patches, areas, items, checkpoints } = this.scene_;
-    this.parts_.view.setScene({
-      ...this.scene_,
-      obstacles: shown('obstacle') ? obstacles : [],
-      patches: shown('patch') ? patches : [],
-      areas: shown('area') ? areas : [],
-      items: shown('item') ? items : [],
-      checkpoints: shown('checkpoint') ? checkpoints : [],
-    });
+    if (this.scene) this.parts_.view.setScene(this.open_ ? this.layers_.of(this.scene) : this.scene);
   }
 
   private readonly drawn = (): void => {
     if (!this.open_) return;
     requestAnimationFrame(this.drawn);
+    if (this.time !== this.servedAt_ && !this.strokes_.busy && this.served_.some(({ path }) => path)) {
+      this.serve();
+      this.refresh();
+    }
+    const shown = this.preview.length > 0 ? this.preview : this.things_;
+    this.notes_.draw(shown.map((one) => mistakeOf(one, this.options.clips)).filter((one) => one !== null));
     this.layer_.draw({
-      things: this.things_.filter((one) => !this.hidden_.has(one.kind) && !isNobody(one)),
+      time: this.time,
+      things: this.things_.filter(this.layers_.sees),
       chosen: this.chosen_,
       preview: this.preview,
       line: this.strokes_.line.length > 0 ? this.strokes_.line : this.strokes_.corners,
@@ -174,7 +196,7 @@ export class BuildController implements StrokeHost, BuildActions {
 
   private refused(code: string): void {
     if (code !== 'rejected' && code !== 'Edit') return;
-    this.source_ = null;
+    this.sources_.forget();
     this.edits_.answered();
     if (this.strokes_.busy) return;
     this.edits_.forget();
@@ -185,26 +207,34 @@ export class BuildController implements StrokeHost, BuildActions {
     if (made.length === 0) return;
     this.preview = made;
     this.choosesNew_ = true;
-    const source = made.find(({ area, group }) => area?.kind === 'source' && group === 0);
-    if (source) {
-      this.source_ = source;
-      this.edits_.send({ label: firstOf('Add source'), changes: [newArrivals(source)], changed: [] });
-    } else this.edits_.send({ label, changes: made.map(things.addCommand), changed: [] });
+    if (!this.sources_.begin(made)) this.change(label, made);
     // A refusal brings no new thing.
     window.clearTimeout(this.waits_);
     this.waits_ = window.setTimeout(() => (this.preview = []), kPreviewStays);
   }
 
-  /** True where the group of a new source has come: the source is next. */
-  private sourceFollows(scene: SceneFacts, sameWorld: boolean): boolean {
-    const made = this.source_ && sameWorld ? joinedSource(this.source_, scene, this.served_) : null;
-    if (made || !sameWorld) this.source_ = null;
-    if (made) this.edits_.send({ label: 'Add source', changes: [things.addCommand(made)], changed: [] });
-    return made !== null;
+  change(label: string, changed: readonly Thing[]): void {
+    this.edits_.send(this.edits_.changeOf(label, changed));
   }
 
-  change(label: string, changed: readonly Thing[]): void {
-    this.edits_.send(changeOf(label, changed));
+  /** A door at that spot of a wall. */
+  openWall(at: GroundPoint): void {
+    const wall = things.hit(this.free, at, this.metres(6));
+    const made = wall ? withDoor(wall, at, this.options.doorWidth) : 'Tap a wall where the door shall be.';
+    if (typeof made === 'string') return this.say(made);
+    this.edits_.send(this.edits_.changeOf('Add door', made));
+  }
+
+  /** Changes what is chosen; what becomes a thing of another kind is another thing. */
+  become(label: string, change: (one: Thing) => Thing): void {
+    const edit = this.edits_.become(label, this.chosen_, this.chosen_.map(change));
+    this.choosesNew_ ||= edit.changed.length === 0;
+    this.edits_.send(edit);
+  }
+
+  setOptions(change: Partial<DrawingOptions>): void {
+    this.options = { ...this.options, ...change };
+    this.showChosen();
   }
 
   dragBegins(): void {
@@ -213,17 +243,17 @@ export class BuildController implements StrokeHost, BuildActions {
 
   drag(label: string, changed: readonly Thing[]): void {
     this.preview = changed;
-    this.edits_.drag(changeOf(label, changed));
+    this.edits_.drag(this.edits_.changeOf(label, changed));
   }
 
   dragEnds(label: string, changed: readonly Thing[]): void {
     this.preview = [];
-    this.edits_.end(changeOf(label, changed));
+    this.edits_.end(this.edits_.changeOf(label, changed));
   }
 
   dragCancelled(label: string, before: readonly Thing[]): void {
     this.preview = [];
-    this.edits_.cancel(changeOf(label, before));
+    this.edits_.cancel(this.edits_.changeOf(label, before));
   }
 
   /** Changes the chosen ones by numbers and words of the panel. */
@@ -257,15 +287,7 @@ export class BuildController implements StrokeHost, BuildActions {
   remove(): void {
     if (this.chosen_.length === 0 || this.strokes_.removeCorner()) return;
     this.strokes_.drop();
-    const [one] = this.chosen_;
-    const label = this.chosen_.length === 1 ? `Remove ${one!.area?.kind ?? one!.kind}` : 'Remove';
-    // Nobody would ever be in the group of a source that is gone. Groups go last, and so come back first.
-    const removed = [...this.chosen_, ...emptiedGroups(this.chosen_, this.things_)];
-    const sources = removed.filter(({ group }) => removed.some(({ kind, id }) => kind === 'group' && id === group));
-    const others = removed.filter((gone) => !sources.includes(gone));
-    const first = sources.length > 0 && others.length > 0 ? firstOf(label) : label;
-    this.edits_.send({ label: first, changes: sources.map(things.removeCommand), changed: [] });
-    this.edits_.send({ label, changes: others.map(things.removeCommand), changed: [] });
+    this.edits_.remove(this.chosen_, this.things_);
     this.chosen_ = [];
     this.showChosen();
   }
@@ -307,7 +329,12 @@ export class BuildController implements StrokeHost, BuildActions {
   setTool(tool: BuildTool): void {
     this.strokes_.drop();
     this.tool = tool;
-    this.panel_.setTool(tool, this.scene_);
+    // What is chosen makes room for what the next thing shall be like.
+    if (tool !== 'select' && tool !== 'route') this.chosen = [];
+    this.panel_.setTool(tool);
+    const motion = motionOfTool(tool, this.options);
+    if (motion && this.options.clips.length > 0 && motionOf(this.options.clips, motion) < 0)
+      this.say(`People of this place cannot ${motion}.`);
   }
 
   setSnaps(on: boolean): void {
@@ -315,10 +342,8 @@ export class BuildController implements StrokeHost, BuildActions {
   }
 
   toggleLayer(kind: ThingKind, what: 'hidden' | 'locked', on: boolean): void {
-    const set = what === 'hidden' ? this.hidden_ : this.locked_;
-    if (on) set.add(kind);
-    else set.delete(kind);
-    this.chosen_ = this.chosen_.filter((one) => !set.has(one.kind));
+    this.layers_.toggle(kind, what, on);
+    this.chosen_ = this.chosen_.filter(this.layers_.takes);
     this.showLayers();
     this.showChosen();
   }
@@ -337,19 +362,8 @@ export class BuildController implements StrokeHost, BuildActions {
     this.strokes_.finishPolygon();
   }
 
-  /** While something is dragged the numbers follow a few times a second. */
   private showChosen(): void {
-    if (this.strokes_.dragging) {
-      this.showsSoon_ ||= window.setTimeout(() => this.showNow(), kNumbersFollow);
-      return;
-    }
-    this.showNow();
-  }
-
-  private showNow(): void {
-    window.clearTimeout(this.showsSoon_);
-    this.showsSoon_ = 0;
-    this.panel_.setChosen(this.chosen_, this.scene_);
+    this.panel_.showChosen(this.chosen_, this.strokes_.dragging);
   }
 
   get chosen(): readonly Thing[] {
@@ -366,7 +380,7 @@ export class BuildController implements StrokeHost, BuildActions {
   }
 
   get free(): readonly Thing[] {
-    return this.things_.filter((one) => !this.locked_.has(one.kind) && !this.hidden_.has(one.kind) && !isNobody(one));
+    return this.things_.filter(this.layers_.takes);
   }
 
   say(text: string): void {

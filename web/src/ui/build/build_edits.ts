@@ -1,10 +1,13 @@
 // What building tells the server: edits of things, at once or while a drag goes on, and what is on the way to it.
 
 import type { StudioClient } from '../../link/studio_client';
+import { emptiedGroups } from '../../model/place/areas';
 import { PendingChanges } from '../../model/place/pending';
+import { defined } from '../../model/place/routes';
 import * as things from '../../model/place/things';
 import type { PlaceChange, Thing } from '../../model/place/things';
 import type { Edit } from '../../protocol/messages';
+import { firstOf } from '../orders/history_controller';
 import { LiveEdits } from './live_edits';
 
 /** One edit: its name for people, its changes, and things that are shown as it leaves them. */
@@ -27,11 +30,6 @@ function told(changes: readonly PlaceChange[]): Pick<Edit, 'commands' | 'bodies'
   };
 }
 
-/** The edit that leaves the things like this. */
-export function changeOf(label: string, changed: readonly Thing[]): PlaceEdit {
-  return { label, changes: changed.map(things.changeCommand), changed };
-}
-
 export class BuildEdits {
   private readonly pending_ = new PendingChanges();
   private readonly live_ = new LiveEdits<PlaceEdit>({
@@ -45,7 +43,32 @@ export class BuildEdits {
   constructor(
     private readonly client_: StudioClient,
     private readonly shows_: () => void,
+    /** Of the world [s]. */
+    private readonly time_: () => number,
   ) {}
+
+  /** What the server is told of a thing that stands like this now. */
+  told(one: Thing): Thing {
+    return defined(one, this.time_());
+  }
+
+  /** The edit that leaves the things like this; those without an id are new. */
+  changeOf(label: string, changed: readonly Thing[]): PlaceEdit {
+    const change = (one: Thing): PlaceChange => (one.id === 0 ? things.addCommand(one) : things.changeCommand(one));
+    return {
+      label,
+      changes: changed.map((one) => change(this.told(one))),
+      changed: changed.filter(({ id }) => id !== 0),
+    };
+  }
+
+  /** The same where some of them are things of another kind now, and so other things. */
+  become(label: string, before: readonly Thing[], after: readonly Thing[]): PlaceEdit {
+    const others = before.filter((one, k) => one.kind !== after[k]!.kind);
+    const now = after.map((one, k) => (others.includes(before[k]!) ? { ...one, id: 0 } : one));
+    const edit = this.changeOf(label, now);
+    return { ...edit, changes: [...others.map(things.removeCommand), ...edit.changes] };
+  }
 
   /** What the server shows, with what it has been told since. */
   over(shown: readonly Thing[]): Thing[] {
@@ -54,6 +77,18 @@ export class BuildEdits {
 
   send(edit: PlaceEdit): void {
     if (edit.changes.length > 0) this.tell(edit, edit.changes.length > kMostChanges ? ++this.gestures_ : 0);
+  }
+
+  /** Nobody would ever be in the group of a source that is gone. Groups go last, and so come back first. */
+  remove(chosen: readonly Thing[], all: readonly Thing[]): void {
+    const [one] = chosen;
+    const label = chosen.length === 1 ? `Remove ${one!.area?.kind ?? one!.kind}` : 'Remove';
+    const removed = [...chosen, ...emptiedGroups(chosen, all)];
+    const sources = removed.filter(({ group }) => removed.some(({ kind, id }) => kind === 'group' && id === group));
+    const others = removed.filter((gone) => !sources.includes(gone));
+    const first = sources.length > 0 && others.length > 0 ? firstOf(label) : label;
+    this.send({ label: first, changes: sources.map(things.removeCommand), changed: [] });
+    this.send({ label, changes: others.map(things.removeCommand), changed: [] });
   }
 
   /** A drag begins: all its edits are taken back together. */

@@ -10,8 +10,14 @@ export const kToolKeys: Record<BuildTool, string> = {
   disc: 'o',
   polygon: 'p',
   wall: 'w',
-  patch: 'h',
+  door: 'd',
+  gate: 'j',
+  hedge: 'h',
+  water: 'u',
+  net: 'n',
+  branches: 'b',
   stairs: 't',
+  car: 'c',
   route: 'm',
   exit: 'x',
   source: 's',
@@ -29,6 +35,9 @@ const kArrows: Readonly<Record<string, readonly [number, number]>> = {
 };
 const kNudge = { short: 0.1, long: 1 };
 
+/** Where letters are written, or chosen by. */
+const kTyping = 'input:not([type="checkbox"]), textarea, select, dialog';
+
 export class BuildKeys {
   constructor(
     private readonly actions_: BuildActions,
@@ -40,7 +49,7 @@ export class BuildKeys {
   private pressed(event: KeyboardEvent): void {
     const { target } = event;
     if (!this.open_() || event.altKey) return;
-    if (target instanceof HTMLElement && target.closest('input, textarea, select, dialog')) return;
+    if (target instanceof HTMLElement && target.closest(kTyping)) return;
     const command = event.ctrlKey || event.metaKey;
     if (!command && target instanceof HTMLElement && target.closest('[role="radiogroup"]')) return;
     const done = command ? this.command(event) : this.key(event);

@@ -17,6 +17,7 @@ const box = (x: number) =>
 const house = box(0);
 const moved = box(5);
 const kPicture: BuildPicture = {
+  time: 0,
   things: [house],
   chosen: [],
   preview: [],

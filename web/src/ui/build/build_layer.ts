@@ -5,15 +5,22 @@ import type { OverlayView } from '../../model/frame_view';
 import type { GroundPoint, ScreenPoint } from '../../model/plane';
 import type { Guide } from '../../model/place/guides';
 import { hasCorners, middlesOf } from '../../model/place/corners';
+import { defined } from '../../model/place/routes';
+import { startOutline } from '../../model/place/start_outline';
+import { accentVariable } from '../widgets/group_marks';
 import { extentOf, outlineOf, sameThing, type Extent, type Thing } from '../../model/place/things';
 
 const kSvg = 'http://www.w3.org/2000/svg';
 /** Half the length of the arrow that marks a gap [CSS px]. */
 const kGapArm = 14;
+/** Words below where a group begins [CSS px]. */
+const kBelow = 16;
 /** Above the box round what is chosen [CSS px]. */
 const kTurnHandle = 34;
 
 export interface BuildPicture {
+  /** Of the world [s]. */
+  readonly time: number;
   readonly things: readonly Thing[];
   readonly chosen: readonly Thing[];
   /** Things as a drag leaves them, or as they are being drawn. */
@@ -141,7 +148,6 @@ export class BuildLayer {
       const kind = one.area?.kind ?? one.kind;
       parts.push(this.outline(one, `build-thing build-${kind}${taken ? ' build-chosen' : ''}`));
     }
-    for (const one of things) if (one.kind === 'group') parts.push(this.arrow(one));
     for (const gap of this.gaps_) parts.push(...this.gap(gap));
     this.still_.replaceChildren(...parts);
   }
@@ -149,7 +155,6 @@ export class BuildLayer {
   private drawMoving({ chosen, preview, line, closed, handles, corner, guides }: BuildPicture): void {
     const parts = preview.map((one) => this.outline(one, 'build-preview'));
     if (line.length > 1) parts.push(this.path(line, closed, 'build-line'));
-    for (const one of preview) if (one.kind === 'group') parts.push(this.arrow(one));
     for (const { from, to } of guides) parts.push(this.path([from, to], false, 'build-guide'));
     const extent = handles ? extentOf(preview.length > 0 ? preview : chosen) : null;
     if (extent) parts.push(...this.handles(extent), ...this.corners(preview.length > 0 ? preview : chosen, corner));
@@ -168,20 +173,40 @@ export class BuildLayer {
   }
 
   private outline(one: Thing, name: string): SVGElement {
+    if (one.kind === 'group') return this.start(one, name);
     const group = shape('g', { class: name });
     group.append(this.path(outlineOf(one), true, 'build-casing'), this.path(outlineOf(one), true, 'build-outline'));
     if (one.path) {
-      const [x, y] = one.centre;
+      const [x, y] = defined(one, this.shown_?.time ?? 0).centre;
       const way = one.path.waypoints.map(({ position: [dx, dy] }) => ({ x: x + dx, y: y + dy }));
       group.append(this.path(way, false, 'build-way'));
     }
     return group;
   }
 
-  /** Where a group faces. */
-  private arrow({ centre: [x, y], angle, radius }: Thing): SVGElement {
+  /** Where a group begins and faces, in its colour, with words. */
+  private start(one: Thing, name: string): SVGElement {
+    const { angle, radius } = one;
+    const [x, y] = one.centre;
+    const group = shape('g', { class: name, style: `color: ${accentVariable(one.colour)}` });
+    const outline = startOutline(one);
     const tip = { x: x + 1.3 * radius * Math.cos(angle), y: y + 1.3 * radius * Math.sin(angle) };
-    return this.path([{ x, y }, tip], false, 'build-facing');
+    const spots = outline.map((p) => this.sight_.toScreen(p));
+    const across = spots.map((p) => p.x);
+    const at = {
+      x: (Math.min(...across) + Math.max(...across)) / 2,
+      y: Math.max(...spots.map((p) => p.y)) + kBelow,
+      class: 'build-start-label',
+    };
+    const label = shape('text', at);
+    label.textContent = `${one.name || 'Group'} begins here`;
+    group.append(
+      this.path(outline, true, 'build-casing'),
+      this.path(outline, true, 'build-outline'),
+      this.path([{ x, y }, tip], false, 'build-facing'),
+      label,
+    );
+    return group;
   }
 
   private gap({ at, width }: { readonly at: GroundPoint; readonly width: number }): SVGElement[] {

@@ -32,14 +32,16 @@ beforeEach(() => {
     };
   host = {
     tool: 'select',
-    options: { ...kDrawingOptions, motion: 0, speed: 1, count: 9 },
+    options: { ...kDrawingOptions, speed: 1, count: 9 },
     snaps: true,
+    time: 0,
     all: [box],
     free: [box],
     chosen: [],
     preview: [],
     add: say('add'),
     change: say('change'),
+    openWall: () => undefined,
     dragBegins: () => said.push(['begins', []]),
     drag: say('drag'),
     dragEnds: say('ends'),

@@ -1,10 +1,11 @@
 // Strokes over the scene while somebody builds: what they choose, drag and draw.
 
 import type { GroundPoint, ScreenPoint } from '../../model/plane';
-import { drawn, polygonThing, routed, type BuildTool, type DrawingOptions } from '../../model/place/drawing';
+import { drawn, polygonThing, type BuildTool, type DrawingOptions } from '../../model/place/drawing';
 import { crossesItself, gripAt, hasCorners, withCorner, withoutCorner, type Grip } from '../../model/place/corners';
 import { queued } from '../../model/place/areas';
 import { aligned, type Guide } from '../../model/place/guides';
+import { carAlong, routed } from '../../model/place/routes';
 import { rightAngled, snapped } from '../../model/place/snap';
 import * as things from '../../model/place/things';
 import type { Thing } from '../../model/place/things';
@@ -16,6 +17,8 @@ export interface StrokeHost {
   readonly tool: BuildTool;
   readonly options: DrawingOptions;
   readonly snaps: boolean;
+  /** Of the world [s]. */
+  readonly time: number;
   /** All things, and those that can be taken. */
   readonly all: readonly Thing[];
   readonly free: readonly Thing[];
@@ -23,6 +26,7 @@ export interface StrokeHost {
   preview: readonly Thing[];
   add(label: string, made: readonly Thing[]): void;
   change(label: string, changed: readonly Thing[]): void;
+  openWall(at: GroundPoint): void;
   /** A drag begins. The world follows it, and all of it is one step of the history. */
   dragBegins(): void;
   drag(label: string, changed: readonly Thing[]): void;
@@ -124,16 +128,20 @@ export class BuildStroking implements BuildStrokes {
     const from = this.snap(stroke);
     if (this.host_.tool === 'select') return this.beginSelect(stroke);
     if (this.host_.tool === 'polygon') return;
+    if (this.host_.tool === 'car') return this.beginRoute(stroke.ground);
     if (this.host_.tool === 'route') {
       const found = things.hit(this.host_.free, stroke.ground, this.host_.metres(12));
       const mover = found && takesRoute(found) ? found : this.host_.chosen.find(takesRoute);
-      if (!mover) return this.host_.say('Begin on the obstacle that shall move, or on the exit of a queue.');
+      if (!mover) return this.host_.say('Begin on the thing that shall move, or on the exit of a queue.');
       this.host_.chosen = [mover];
-      this.drag_ = { does: 'route', from: stroke.ground };
-      this.line = [stroke.ground];
-      return;
+      return this.beginRoute(stroke.ground);
     }
     this.drag_ = { does: 'draw', from };
+  }
+
+  private beginRoute(from: GroundPoint): void {
+    this.drag_ = { does: 'route', from };
+    this.line = [from];
   }
 
   private gripOf({ screen, touch }: BuildStroke): Grip | null {
@@ -268,14 +276,19 @@ export class BuildStroking implements BuildStrokes {
 
   private endRoute(line: readonly GroundPoint[]): void {
     const { host_: host } = this;
+    if (host.tool === 'car') {
+      const car = carAlong(line, host.options.speed, host.time);
+      return car ? host.add('Add car', [car]) : host.say('Draw the way of the car.');
+    }
     const [mover] = host.chosen;
     if (mover?.area) host.change('Queue', [queued(mover, line)]);
-    else if (mover) host.change(`Route of ${mover.kind}`, [routed(mover, line, host.options.speed)]);
+    else if (mover) host.change(`Route of ${mover.kind}`, [routed(mover, line, host.options.speed, host.time)]);
     host.setTool('select');
   }
 
   private endDrawing(from: GroundPoint, stroke: BuildStroke): void {
     const { host_: host } = this;
+    if (host.tool === 'door') return host.openWall(stroke.ground);
     const made = drawn(host.tool, from, this.endOf(from, stroke), host.options);
     host.preview = [];
     if (made) host.add(`Add ${host.tool}`, [made]);

@@ -2,13 +2,12 @@
 import { beforeEach, expect, it } from 'vitest';
 import { colourNumber } from '../../model/accent';
 import { addCommand, thing, type PlaceChange, type Thing } from '../../model/place/things';
+import { fieldsPage } from './test_support';
 import { accentVariable, groupMark } from '../widgets/group_marks';
-import type { BuildActions } from './build_actions';
-import { ChosenFields } from './chosen_fields';
 
 const group: Thing = thing('group', { id: 4, name: 'Guests', count: 9, body: null, colour: 1 });
 let sent: [string, PlaceChange][] = [];
-let fields: ChosenFields;
+let fields: ReturnType<typeof fieldsPage>;
 
 const radios = (): HTMLElement[] => [...fields.root.querySelectorAll<HTMLElement>('[role="radio"]')];
 const radio = (name: string): HTMLElement => radios().find((one) => one.getAttribute('aria-label') === name)!;
@@ -22,9 +21,8 @@ beforeEach(() => {
   const actions = {
     editGroup: (label: string, event: (one: Thing) => PlaceChange) => sent.push([label, event(group)]),
   };
-  fields = new ChosenFields(actions as unknown as BuildActions);
-  document.body.replaceChildren(fields.root);
-  fields.show([group], null);
+  fields = fieldsPage(actions);
+  fields.show([group]);
 });
 
 it('sends one edit for a swatch, none for the one that is chosen', () => {
@@ -32,7 +30,7 @@ it('sends one edit for a swatch, none for the one that is chosen', () => {
   radio('Automatic, ember').click();
   radio('Magenta').click();
   expect(sent).toEqual([['Colour', { kind: 'changeGroup', group: 4, colour: { colour: 0xd60ea8 } }]]);
-  fields.show([{ ...group, colour: colourNumber(1, '#d60ea8') }], null);
+  fields.show([{ ...group, colour: colourNumber(1, '#d60ea8') }]);
   expect(marked()).toEqual(['Magenta']);
   radio('Magenta').click();
   radio('Automatic, ember').click();
@@ -51,7 +49,7 @@ it('goes along by arrow keys without an edit, and leaves the focus where it was'
   expect(document.activeElement).toBe(radio('Blue'));
   expect(radios().filter((one) => one.tabIndex === 0)).toEqual([radio('Blue')]);
   expect(sent).toEqual([]);
-  fields.show([{ ...group, colour: colourNumber(1, '#1d5fd1') }], null);
+  fields.show([{ ...group, colour: colourNumber(1, '#1d5fd1') }]);
   expect(document.activeElement).toBe(radio('Blue'));
 });
 
@@ -62,11 +60,11 @@ it('takes any own colour, marks it, and says where it is hard to see', () => {
   expect(sent).toEqual([]);
   own.dispatchEvent(new Event('change'));
   expect(sent).toEqual([['Colour', { kind: 'changeGroup', group: 4, colour: { colour: 0xf2e8d0 } }]]);
-  fields.show([{ ...group, colour: colourNumber(1, '#f2e8d0') }], null);
+  fields.show([{ ...group, colour: colourNumber(1, '#f2e8d0') }]);
   expect(marked()).toEqual([]);
   expect(fields.root.querySelector('.is-chosen')?.textContent).toBe('Own colour #F2E8D0');
   expect(fields.root.querySelector('.colour-doubt')?.textContent).toBe('This colour is hard to see on light ground.');
-  fields.show([{ ...group, colour: colourNumber(1, '#d60ea8') }], null);
+  fields.show([{ ...group, colour: colourNumber(1, '#d60ea8') }]);
   expect(fields.root.querySelector('.colour-doubt')).toBeNull();
 });
 

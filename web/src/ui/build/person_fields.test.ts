@@ -2,9 +2,7 @@
 import { beforeEach, expect, it } from 'vitest';
 import { kAdults } from '../../model/place/people';
 import { thing, type PlaceChange, type Thing } from '../../model/place/things';
-import type { BuildActions } from './build_actions';
-import { ChosenFields } from './chosen_fields';
-import { fillIn } from './test_support';
+import { fieldsPage, fillIn } from './test_support';
 
 const group: Thing = thing('group', { id: 4, name: 'Guests', count: 9, rest: { people: [kAdults] } });
 const source: Thing = thing('area', {
@@ -20,7 +18,7 @@ const source: Thing = thing('area', {
 let sent: unknown[] = [];
 let said = '';
 let shown: Thing = group;
-let fields: ChosenFields;
+let fields: ReturnType<typeof fieldsPage>;
 
 const give = (label: string, value: string): void => fillIn(fields.root, label, value, 'change');
 
@@ -33,7 +31,7 @@ function press(word: string): void {
 
 function show(one: Thing): void {
   shown = one;
-  fields.show([one], null);
+  fields.show([one]);
 }
 
 /** The change is made and shown. */
@@ -51,11 +49,10 @@ beforeEach(() => {
     edit: (_: string, change: (one: Thing) => Thing) => sent.push(change(shown).rest),
     say: (text: string) => (said = text),
   };
-  fields = new ChosenFields(actions as unknown as BuildActions);
-  document.body.replaceChildren(fields.root);
+  fields = fieldsPage(actions);
 });
 
-it('adults become sorts of one’s own, whose spreads are typed', () => {
+it('adults become sorts of one’s own, whose spreads are typed', async () => {
   show(group);
   give('Persons', 'Sorts of one’s own');
   const adults = { spread: 'normal', a: 1.34, b: 0.26, least: 0.5, most: 2.2 };
@@ -66,6 +63,7 @@ it('adults become sorts of one’s own, whose spreads are typed', () => {
   give('Premovement', 'Uniform');
   expect(last().people).toMatchObject([{ premovement: { spread: 'uniform', a: 30, b: 90 } }]);
   give('Speed, least', '5');
+  await Promise.resolve();
   expect(fields.root.querySelector('.build-refused')!.textContent).toBe(
     'The least speed is not below the largest one.',
   );

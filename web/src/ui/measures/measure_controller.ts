@@ -36,7 +36,7 @@ const kLeast = 0.05;
 export class MeasureController implements BuildStrokes, MeasureActions {
   readonly measures = new Measures();
   private readonly layer_: MeasureLayer;
-  private readonly panel_ = new MeasurePanel(this);
+  private readonly panel_ = new MeasurePanel(this, this.measures);
   private open_ = false;
   private tool_: MeasureTool | null = null;
   private from_: GroundPoint | null = null;
@@ -84,7 +84,7 @@ export class MeasureController implements BuildStrokes, MeasureActions {
     this.layer_.draw({ measures: this.measures.list, drawn: this.drawn_ });
     if (now - this.renewed_ < kRenewed) return;
     this.renewed_ = now;
-    this.panel_.update(this.measures);
+    this.panel_.update();
   };
 
   /** Nothing but drawing keeps fingers from the scene. */

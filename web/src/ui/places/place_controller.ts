@@ -6,8 +6,8 @@ import { sentenceOf } from '../../model/file_trouble';
 import { fileNameOf, freeName, type KeptPlace } from '../../model/place_files/kept_place';
 import { movedTo, type Imported, type ImportSettings, type ImportSource } from '../../model/place_files/imports';
 import { leftOutText, type LeftOut } from '../../model/place_files/left_out';
-import { additionOf, within } from '../../model/place_files/new_place';
-import { obstacleOf, type PlaceDefinition } from '../../model/place_files/place';
+import { additionOf, kSwim, within } from '../../model/place_files/new_place';
+import { obstacleOf, waterOf, type PlaceDefinition } from '../../model/place_files/place';
 import type { PlaceActions } from '../../model/place_files/place_actions';
 import { boxOf } from '../../model/place_files/place_drawing';
 import { sceneryOf, type SceneryModel } from '../../model/place_files/scenery';
@@ -301,6 +301,7 @@ export class PlaceController implements PlaceActions {
   openImported(source: ImportSource, { place, meshes }: Imported, settings: ImportSettings, shown: boolean): void {
     void this.tried(async () => {
       const models = shown ? [sceneryOf(source.file, meshes, { x: 0, y: 0 }, place.obstacles ?? [])] : [];
+      this.parts_.view.fitter.whole = true;
       await this.open(JSON.stringify(place), settings.name, models);
     });
   }
@@ -308,16 +309,19 @@ export class PlaceController implements PlaceActions {
   addImported(source: ImportSource, imported: Imported, settings: ImportSettings, shown: boolean): void {
     void this.tried(async () => {
       const { client, store } = this.parts_;
-      const [[left, bottom], [right, top]] = boxOf(JSON.parse(await this.link_.read()) as PlaceDefinition);
+      const present = JSON.parse(await this.link_.read()) as PlaceDefinition;
+      const [[left, bottom], [right, top]] = boxOf(present);
       const out: LeftOut = {};
       const box = { min: { x: left, y: bottom }, max: { x: right, y: top } };
       const outlines = movedTo(imported.outlines, settings.at);
-      const kept = within(outlines, box, out);
+      const swim = (present.clips ?? []).findIndex((clip) => clip.name === kSwim);
+      const kept = within(outlines, box, out).filter(({ water }) => !water || swim >= 0);
       if (kept.length === 0) throw new Error('All of it would lie outside the place.');
-      const obstacles = kept.map(obstacleOf);
+      const obstacles = kept.filter(({ water }) => !water).map(obstacleOf);
+      const waters = kept.filter(({ water }) => water).map((one) => waterOf(one, swim));
       const gesture = 0x80000000 + Math.floor(Math.random() * 0x7fffffff);
-      for (const message of additionOf(obstacles, `Import ${[...source.file].slice(0, 30).join('')}`, gesture))
-        client.send(message);
+      const label = `Import ${[...source.file].slice(0, 30).join('')}`;
+      for (const message of additionOf(obstacles, label, gesture, waters)) client.send(message);
       const { title } = store.state;
       if (shown) {
         const model = sceneryOf(source.file, imported.meshes, settings.at, obstacles);
@@ -327,7 +331,9 @@ export class PlaceController implements PlaceActions {
       }
       this.close();
       const added =
-        kept.length === 1 ? '1 obstacle is added.' : `${kept.length.toLocaleString('en')} obstacles are added.`;
+        obstacles.length === 1
+          ? '1 obstacle is added.'
+          : `${obstacles.length.toLocaleString('en')} obstacles are added.`;
       this.tell([added, leftOutText(out, outlines.length)].filter((one) => one !== '').join(' '));
     });
   }

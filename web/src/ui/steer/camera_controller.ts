@@ -25,7 +25,7 @@ const kSpan = kSpanLeast.narrow;
 const kViewsKey = 'muster.views.';
 
 export interface CameraControllerHost {
-  readonly view: Pick<StudioScene, 'camera' | 'worldToScreen' | 'setPadding' | 'fitCrowd' | 'lookAt'>;
+  readonly view: Pick<StudioScene, 'camera' | 'worldToScreen' | 'fitter' | 'fitCrowd' | 'lookAt'>;
   readonly store: StudioStore;
   readonly canvas: Pick<HTMLCanvasElement, 'clientWidth' | 'clientHeight'>;
   /** What the panels cover. */
@@ -97,13 +97,13 @@ export class CameraController {
   }
 
   fit(): void {
-    this.host_.view.setPadding(this.host_.padding());
+    this.host_.view.fitter.padding = this.host_.padding();
     this.host_.view.fitCrowd();
   }
 
   /** Fits the crowd, and the whole place where the crowd is fitted already. */
   fitInTurn(): void {
-    this.host_.view.setPadding(this.host_.padding());
+    this.host_.view.fitter.padding = this.host_.padding();
     const place = this.host_.view.fitCrowd(true);
     if (place) this.follow_.release();
     this.host_.say(place ? 'The whole place in view' : 'The crowd in view');
@@ -111,7 +111,7 @@ export class CameraController {
 
   lookAt(point: GroundPoint): void {
     this.follow_.release();
-    this.host_.view.setPadding(this.host_.padding());
+    this.host_.view.fitter.padding = this.host_.padding();
     this.host_.view.lookAt(point);
   }
 
