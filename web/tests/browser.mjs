@@ -111,12 +111,7 @@ const kCases = [
   ['standing: ten drags', standing.tenDrags, ['desktop'], kOpen],
   ['orders: conduct', orders.conduct, [...kTablets, 'phone'], { room: true }],
   ...undo.kUndoCases,
-  [
-    'words',
-    words.directByWords,
-    ['desktop', 'portrait', 'phone'],
-    { touch: false, scenario: 'scenarios/market.json', everySize: true },
-  ],
+  ...words.kWordsCases,
   ['paused', feedback.paused, ['desktop'], { room: true }],
   ['refused', feedback.refused, ['desktop', 'phone'], {}],
   ['objectives', objectives.objectives, ['desktop'], { scenario: 'scenarios/block.json' }],

@@ -36,7 +36,7 @@ async function completes(studio) {
   await studio.shot('words-problem');
 }
 
-export async function directByWords(studio) {
+async function directByWords(studio) {
   const { page } = studio;
   await openLine(studio);
   await completes(studio);
@@ -72,3 +72,7 @@ export async function directByWords(studio) {
   await groupsToBe(studio, before.groups.length);
   await studio.until('that it is undone', () => !globalThis.__muster.frame.groups[0].held);
 }
+
+const kMarket = { touch: false, scenario: 'scenarios/market.json', everySize: true };
+
+export const kWordsCases = [['words', directByWords, ['desktop', 'portrait', 'phone'], kMarket]];

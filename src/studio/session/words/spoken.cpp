@@ -74,7 +74,7 @@ protocol::PlacesFrame placesOf(const WordsPreview& preview, const FormationDef& 
         places.push_back(at.apply(place.position(made->mesh.triangles, made->mesh.vertices)));
         put(frame.places, places.back());
     }
-    for (const PlaceBar bar : barsOf(world, preview.group, places))
+    for (const Standing bar : barsOf(world, preview.group, places))
         frame.unfit.push_back(static_cast<std::uint8_t>(bar));
     return frame;
 }
