@@ -27,6 +27,7 @@ import * as objectives from './cases/objectives.mjs';
 import * as orders from './cases/orders.mjs';
 import * as overlays from './cases/overlays.mjs';
 import * as placeFiles from './cases/place_files.mjs';
+import * as placeImports from './cases/place_imports.mjs';
 import * as placeShare from './cases/place_share.mjs';
 import * as people from './cases/people.mjs';
 import * as queue from './cases/queue.mjs';
@@ -52,7 +53,6 @@ import { kPort, startStudio } from './support/server.mjs';
 import { StudioPage } from './support/studio_page.mjs';
 
 const kOpen = { scenario: 'scenarios/open.json', room: true };
-const kGroups = { scenario: 'web/tests/scenarios/two-groups.json' };
 const kTablets = ['desktop', 'landscape', 'portrait'];
 
 /** Name, test, sizes, and options of the page. `room`: zoomed out, to have room to drag; `shared`: one page serves all such
@@ -106,9 +106,7 @@ const kCases = [
     ['landscape', 'portrait', 'phone'],
     { scenario: 'scenarios/block.json', room: true },
   ],
-  ['standing: beyond the edge', standing.beyondTheEdge, ['wide'], { ...kOpen, touch: false }],
-  ['standing: a word in a wall', standing.wordInAWall, ['desktop'], { scenario: 'scenarios/block.json' }],
-  ['standing: ten drags', standing.tenDrags, ['desktop'], kOpen],
+  ...standing.kStandingCases,
   ['orders: conduct', orders.conduct, [...kTablets, 'phone'], { room: true }],
   ...undo.kUndoCases,
   ...words.kWordsCases,
@@ -268,44 +266,10 @@ const kCases = [
   ['paths: one person', paths.single, ['landscape', 'phone'], { scenario: 'scenarios/open.json' }],
   ['takes: of another version', oldTakes.oldTake, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
   ['takes: exports', takes.exports, ['desktop'], { scenario: 'scenarios/open.json', release: true }],
-  ['exports: of a group and a part', exports.chosenPart, ['desktop', 'phone'], kGroups],
-  ['exports: of nobody', exports.nobodyChosen, ['desktop'], kGroups],
-  ['exports: sky and horizon', exports.skyAndHorizon, ['desktop'], kGroups],
-  ['exports: people without background', exports.clearPictures, ['desktop', 'portrait'], kGroups],
+  ...exports.kExportCases,
   ['takes: cut off', takes.cutOff, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
-  [
-    'place files: save and open',
-    placeFiles.saveAndOpen,
-    ['desktop', 'portrait', 'phone', 'narrow'],
-    { touch: false, scenario: 'scenarios/open.json' },
-  ],
-  [
-    'place files: templates',
-    placeFiles.templates,
-    ['desktop', 'portrait', 'phone', 'narrow'],
-    { touch: false, scenario: 'scenarios/open.json' },
-  ],
-  [
-    'place files: GeoJSON',
-    placeFiles.importTown,
-    ['desktop', 'portrait', 'phone'],
-    { touch: false, scenario: 'scenarios/open.json' },
-  ],
-  [
-    'place files: models',
-    placeFiles.importModels,
-    ['desktop', 'phone'],
-    { touch: false, scenario: 'scenarios/open.json' },
-  ],
-  ['place files: grid map', placeFiles.importMap, ['desktop'], { touch: false, scenario: 'scenarios/open.json' }],
-  ['place files: water', placeFiles.importWater, ['wide', 'phone'], { touch: false, scenario: 'scenarios/open.json' }],
-  ['place files: bad files', placeFiles.badFiles, ['desktop'], { touch: false, scenario: 'scenarios/open.json' }],
-  [
-    'place files: autosave',
-    placeFiles.autosave,
-    ['desktop', 'phone'],
-    { touch: false, scenario: 'scenarios/open.json' },
-  ],
+  ...placeFiles.kPlaceCases,
+  ...placeImports.kImportCases,
   [
     'place files: kept by name',
     placeShare.keptByName,

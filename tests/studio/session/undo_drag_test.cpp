@@ -1,5 +1,6 @@
 // Undo of what fingers drag: the crowd is ordered to where it was to stand before, and walks there.
 #include "engine/world/inspect.h"
+#include "studio/gestures/input_event.h"
 #include "studio/session/undo_desk.h"
 
 using namespace muster;

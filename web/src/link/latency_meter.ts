@@ -1,5 +1,7 @@
 // Measures the time from a finger's event to the first picture that shows its effect.
 
+import { pageClock } from '../model/page_clock';
+
 export interface LatencySample {
   /** Page clock [s]. */
   readonly down: number;
@@ -54,4 +56,14 @@ export class LatencyMeter {
     this.waiting_ = [];
     this.arrived_ = [];
   }
+}
+
+/** Times the touches whose effect the picture shows that is being drawn. */
+export function timePicture(latency: LatencyMeter, shownFrame: number): void {
+  const shown = latency.takeDrawn(shownFrame);
+  if (shown.length === 0) return;
+  // The task after this one: the scene has been drawn by then.
+  const after = new MessageChannel();
+  after.port1.onmessage = () => latency.drawn(shown, pageClock());
+  after.port2.postMessage(null);
 }

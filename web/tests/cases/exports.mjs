@@ -184,3 +184,12 @@ export async function skyAndHorizon(studio) {
   await studio.page.evaluate(() => document.querySelector('.time-close').click());
   await studio.until('steering again', () => globalThis.__muster.view.camera.pose.pitch > 0.43);
 }
+
+const kGroups = { scenario: 'web/tests/scenarios/two-groups.json' };
+
+export const kExportCases = [
+  ['exports: of a group and a part', chosenPart, ['desktop', 'phone'], kGroups],
+  ['exports: of nobody', nobodyChosen, ['desktop'], kGroups],
+  ['exports: sky and horizon', skyAndHorizon, ['desktop'], kGroups],
+  ['exports: people without background', clearPictures, ['desktop', 'portrait'], kGroups],
+];

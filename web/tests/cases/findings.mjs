@@ -1,7 +1,6 @@
 // What a new user stumbled over: the first visit, dead controls, marks, small screens, a palm, a restart.
 import { gzipSync } from 'node:zlib';
 import { expect, expectBetween } from '../support/expect.mjs';
-import { crowd, distance } from '../support/geometry.mjs';
 import { layout, serious } from './look.mjs';
 
 const kFirstLoad = 350_000;

@@ -120,3 +120,11 @@ export async function tenDrags(studio) {
   const shown = await banners(studio);
   expect(shown.length === 0, `no banner: ${shown.join(' | ')}`);
 }
+
+const kOpen = { scenario: 'scenarios/open.json', room: true };
+
+export const kStandingCases = [
+  ['standing: beyond the edge', beyondTheEdge, ['wide'], { ...kOpen, touch: false }],
+  ['standing: a word in a wall', wordInAWall, ['desktop'], { scenario: 'scenarios/block.json' }],
+  ['standing: ten drags', tenDrags, ['desktop'], kOpen],
+];

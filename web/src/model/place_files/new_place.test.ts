@@ -125,7 +125,14 @@ describe('a grid map', () => {
     const map = readGridMap(kMap, 'a.map');
     expect(map).toMatchObject({ width: 6, height: 4, free: 8 });
     const place = placeOfMap(map, 'A', 2, 9);
-    expect(place.map!.rows).toEqual(['@@@@@@', '@....T', '@..S.@', '@@@W@@']);
+    expect(place.map!.rows).toEqual(['@@@@@@', '@....T', '@..S.@', '@@@.@@']);
+    expect(place.patches).toMatchObject([{ name: 'Water' }]);
+    expect(place.patches![0]!.polygon).toEqual([
+      [6, 0],
+      [8, 0],
+      [8, 2],
+      [6, 2],
+    ]);
     expect(place.cell).toBe(0.5);
     const [x, y] = place.groups![0]!.position!;
     expect(map.rows[Math.floor(4 - y / 2)]![Math.floor(x / 2)]).toMatch(/[.S]/);

@@ -71,8 +71,8 @@ function revealed(layer: BuildingLayer, people: readonly (readonly [number, numb
 it('thins the building that hides somebody, and no other', () => {
   const layer = made();
   // The camera looks north: behind is beyond y = 4.
-  expect(revealed(layer, [[1, 5]])).toEqual([0.22, 1, 1]);
-  expect(revealed(layer, [[23, 5.5]])).toEqual([1, 0.22, 1]);
+  expect(revealed(layer, [[1, 5]])).toEqual([0.34, 1, 1]);
+  expect(revealed(layer, [[23, 5.5]])).toEqual([1, 0.34, 1]);
 });
 
 it('leaves a building solid that stands beside or behind people, and a low one', () => {

@@ -1,6 +1,6 @@
 // Wires client, scene, tools and panels.
 
-import { LatencyMeter } from '../../link/latency_meter';
+import { LatencyMeter, timePicture } from '../../link/latency_meter';
 import type { StudioClient } from '../../link/studio_client';
 import {
   OverlayKind,
@@ -355,7 +355,7 @@ export class StudioApp {
     this.camera.observe(frame);
     this.shapes.observe(frame);
     this.latency.echoed(frame.touchEcho, frame.frame, pageClock(receivedAt));
-    this.timePicture();
+    timePicture(this.latency, this.view_.stats.shownFrame);
     this.store.set(this.reader_.change(frame, this.store.state, receivedAt));
     this.orders.observe(frame);
     this.directors_.observe(frame.groups);
@@ -389,16 +389,6 @@ export class StudioApp {
     if (this.client_.state.phase === 'open') this.attention_.consider(this.view_.attention(), performance.now());
     this.shell_.scale.update(this.view_.pixelsPerMetre());
     this.stats_?.show(this.view_.stats);
-    this.timePicture();
+    timePicture(this.latency, this.view_.stats.shownFrame);
   };
-
-  /** Times the touches whose effect the last picture shows. */
-  private timePicture(): void {
-    const shown = this.latency.takeDrawn(this.view_.stats.shownFrame);
-    if (shown.length === 0) return;
-    // The task after this one: the scene has been drawn by then.
-    const after = new MessageChannel();
-    after.port1.onmessage = () => this.latency.drawn(shown, pageClock());
-    after.port2.postMessage(null);
-  }
 }

@@ -81,7 +81,7 @@ const kNoLetter = '\u{10ffff}';
 
 /** The first letter that no font of this browser has a drawing of; null where there is none. */
 export function missingLetter(words: string): string | null {
-  const drawing = (char: string): string => pictureOf(char, 750)?.mask.cells.toString() ?? '';
+  const drawing = (char: string): string => Array.from(pictureOf(char, 750)?.mask.cells ?? []).join('');
   const box = drawing(kNoLetter);
   return [...words].find((char) => char.trim() !== '' && drawing(char) === box) ?? null;
 }

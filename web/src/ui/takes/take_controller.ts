@@ -4,7 +4,6 @@ import { PanelLayout } from '../widgets/panel_layout';
 import { PlaybackAction, type SpeedPiece, type TakeKept, type TakeState } from '../../protocol/messages';
 import { problem } from '../../protocol/problem';
 import type { StudioClient } from '../../link/studio_client';
-import type { StudioFrame } from '../../model/studio_frame';
 import type { StudioStore } from '../../model/studio_store';
 import type { TakeActions } from '../../model/take_actions';
 import { allowed, openingOf, othersOf, takeOpeningOf, whenAllowed } from '../../model/consent';
@@ -17,12 +16,12 @@ import { FilmCameraController } from './film_camera_controller';
 import { TakeCard, type CardKind } from './take_card';
 import { TakeShelf } from './take_shelf';
 import { TimeLine } from './time_line';
-import { takePicture } from '../../scene/scene_picture';
+import { RecordingPicture } from './recording_picture';
 import { Scrubber } from './scrubber';
 import { save } from '../../link/answers';
 import { ShelfLink, pictureAddress, takeAddress } from '../../link/shelf_link';
 import { scenarioBehind } from '../../model/scenario_behind';
-import { hasRecorded, markCutOffSeen, rememberRecording, seenCutOffs } from './recorder';
+import { hasRecorded, markCutOffSeen, rememberRecording, untoldCutOff } from './recorder';
 import { TakeCopies, isCopyOnly, withCopies } from './take_copies';
 import { openTake } from './takes';
 import { element } from '../widgets/dom';
@@ -30,11 +29,6 @@ import { LiveRegion } from '../widgets/live_region';
 import '../styles/shelf.css';
 import '../styles/takes.css';
 
-const kPicture = { width: 320, height: 180 };
-/** While recording the scene is pictured so often, in case another scenario ends the recording [ms]. */
-const kPictureEvery = 3000;
-/** A picture that takes longer is done without [ms]. */
-const kPictureWait = 1500;
 /** How long a picture blends towards a frame that has come [ms]. */
 const kSettle = 90;
 /** Other devices may come back to a server, too, before it is decided which one tells of a cut off recording [ms]. */
@@ -59,7 +53,6 @@ export class TakeController implements TakeActions {
   private readonly shelf_ = new ShelfLink();
   private readonly copies_ = new TakeCopies();
   private readonly live_ = new LiveRegion();
-  private crowd_: Pick<StudioFrame, 'x' | 'y'> | null = null;
   private readonly line_: TimeLine;
   private readonly film_: FilmCameraController;
   private readonly card_ = new TakeCard(this);
@@ -72,7 +65,7 @@ export class TakeController implements TakeActions {
   private trims_ = false;
   /** The copy of the take that was removed last. */
   private removedCopy_: Blob | null = null;
-  private lastPicture_: { readonly scenario: string; readonly blob: Blob } | null = null;
+  private readonly picture_: RecordingPicture;
 
   constructor(private readonly parts_: TakeControllerParts) {
     const { client, store, view, canvas, page } = parts_;
@@ -98,6 +91,7 @@ export class TakeController implements TakeActions {
       if (chosen) void this.openFile(chosen);
     });
     this.shelfPanel_ = new TakeShelf(this, pictureAddress, () => file.click());
+    this.picture_ = new RecordingPicture(parts_);
     this.exports = new ExportController({
       shelf: this.shelf_,
       store,
@@ -113,7 +107,7 @@ export class TakeController implements TakeActions {
     client.on('takeState', (state) => this.changed(state));
     client.on('takeReady', ({ steps }) => this.line_.track.setReady(steps));
     client.on('takeKept', (kept) => void this.kept(kept));
-    client.on('frame', ({ frame }) => this.observe((this.crowd_ = frame).step));
+    client.on('frame', ({ frame }) => this.observe((this.picture_.crowd = frame).step));
     const offer = (): void => void window.setTimeout(() => void this.offerCutOff(), kOthersCome);
     client.on('welcome', offer);
     if (client.state.phase === 'open') offer();
@@ -122,7 +116,6 @@ export class TakeController implements TakeActions {
       if (shelf) void this.refresh();
     });
     store.watch(['theme'], () => requestAnimationFrame(() => this.line_.track.drawMarks()));
-    window.setInterval(() => void this.pictureWhileRecording(), kPictureEvery);
   }
 
   // The open take.
@@ -358,7 +351,7 @@ export class TakeController implements TakeActions {
     if (name === '') return;
     this.live_.say('The take is kept');
     await this.tried(async () => {
-      const picture = await this.pictureOf(scenario);
+      const picture = await this.picture_.of(scenario);
       if (picture) await this.shelf_.putPicture(name, picture);
       await this.refresh();
       const take = this.takes_.find((one) => one.name === name);
@@ -367,27 +360,6 @@ export class TakeController implements TakeActions {
       if (!this.take_) this.showCard(take, 'kept');
       await this.copies_.keep(take, await this.shelf_.file(name));
     });
-  }
-
-  /** Of the world that was recorded, even where it has gone. */
-  private async pictureOf(scenario: string): Promise<Blob | null> {
-    const last = this.lastPicture_;
-    this.lastPicture_ = null;
-    if (scenario !== this.parts_.store.state.title) return last?.scenario === scenario ? last.blob : null;
-    return (await this.picture()) ?? last?.blob ?? null;
-  }
-
-  private picture(): Promise<Blob | null> {
-    const { view, canvas } = this.parts_;
-    const late = new Promise<null>((done) => window.setTimeout(() => done(null), kPictureWait));
-    return Promise.race([takePicture(view, canvas, kPicture.width, kPicture.height, this.crowd_), late]);
-  }
-
-  private async pictureWhileRecording(): Promise<void> {
-    const { recorded, title } = this.parts_.store.state;
-    if (recorded < 0 || document.hidden) return;
-    const blob = await this.picture();
-    if (blob) this.lastPicture_ = { scenario: title, blob };
   }
 
   /** The newest recording that a server did not live to end. */
@@ -400,11 +372,8 @@ export class TakeController implements TakeActions {
     } catch {
       return;
     }
-    const found = this.takes_.find((take) => !take.finished && !take.recording && !seenCutOffs().includes(take.name));
-    if (!found) return;
-    // Once: it lies on the shelf.
-    markCutOffSeen(found.name);
-    this.showCard(found, 'cut off');
-    this.live_.say('A recording was cut off, and is safe');
+    const found = untoldCutOff(this.takes_);
+    if (found) this.showCard(found, 'cut off');
+    if (found) this.live_.say('A recording was cut off, and is safe');
   }
 }
