@@ -18,7 +18,8 @@ public:
     static constexpr const char* kPrefix = "places/";  ///< Before their names among scenarios.
 
     const std::string& folder() const { return folder_; }  ///< Where they lie.
-    /// Writes a place and returns the path of its file. One of the same title is replaced. Fails with IoError.
+    /// Writes a place and returns the path of its file. One of the same title is replaced. Fails with
+    /// IoError.
     Result<std::string> put(const WorldDef& place) const;
     /// Remembers which scenario is shown, where places are kept here at all.
     void remember(const std::string& scenario) const;

@@ -111,7 +111,8 @@ ServerEvents eventsTo(Mailbox<HostEvent>& mailbox, std::atomic<bool>& interrupte
     events.placeUploaded = [&](std::vector<std::uint8_t> bytes, const std::string& target,
                                const HttpReply& reply) {
         const std::size_t size = bytes.size();
-        if (!mailbox.post(PlaceUploaded{std::move(bytes), queryName(target), queryDirector(target), reply}, size))
+        if (!mailbox.post(PlaceUploaded{std::move(bytes), queryName(target), queryDirector(target), reply},
+                          size))
             reply(sentence(503, "The simulation is busy."));
     };
     events.shelfRequested = [](const ShelfRequest&, const HttpReply& reply) {
@@ -175,7 +176,8 @@ void announce(const ServeOptions& options, StudioServer& server, const std::stri
     const int port = server.port();
     Invitation invitation;
     if (options.lan) invitation = makeInvitation(networkAddresses(), port, token);
-    server.addFile("/invitation.json", {"application/json", "no-store", invitationJson(invitation, options.site)});
+    server.addFile("/invitation.json",
+                   {"application/json", "no-store", invitationJson(invitation, options.site)});
     const std::string address = "http://127.0.0.1:" + std::to_string(port) + "/";
     printAddress(options, address, port, options.lan ? &invitation : nullptr, token);
 }

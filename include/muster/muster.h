@@ -394,7 +394,7 @@ typedef uint8_t MusterStanding;
 enum MusterStandingValue {
     MUSTER_STANDING_IN_PLACE = 0,    ///< It stands within 0.5 m of where its formation wants it.
     MUSTER_STANDING_ON_THE_WAY = 1,  ///< It is on its way, or its place is.
-    MUSTER_STANDING_HELD = 2,        ///< Its group was told to hold, or it has not set out yet.
+    MUSTER_STANDING_HELD = 2,        ///< Its group was ordered to hold, or it has not set out yet.
     MUSTER_STANDING_STUCK = 3,       ///< It has not got on for 5 s.
     MUSTER_STANDING_OUTSIDE = 4,     ///< Its place lies outside the ground.
     MUSTER_STANDING_OBSTACLE = 5,    ///< Its place lies in an obstacle.

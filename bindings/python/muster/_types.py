@@ -481,7 +481,7 @@ class Standing(str, Enum):
 
     IN_PLACE: It stands within 0.5 m of where its formation wants it.
     ON_THE_WAY: It is on its way, or its place is.
-    HELD: Its group was told to hold, or it has not set out yet.
+    HELD: Its group was ordered to hold, or it has not set out yet.
     STUCK: It has not got on for 5 s.
     OUTSIDE: Its place lies outside the ground.
     OBSTACLE: Its place lies in an obstacle.

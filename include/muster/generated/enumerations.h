@@ -193,7 +193,7 @@ enum class Stance : std::uint8_t {
 enum class Standing : std::uint8_t {
     InPlace,   ///< It stands within 0.5 m of where its formation wants it.
     OnTheWay,  ///< It is on its way, or its place is.
-    Held,      ///< Its group was told to hold, or it has not set out yet.
+    Held,      ///< Its group was ordered to hold, or it has not set out yet.
     Stuck,     ///< It has not got on for 5 s.
     Outside,   ///< Its place lies outside the ground.
     Obstacle,  ///< Its place lies in an obstacle.

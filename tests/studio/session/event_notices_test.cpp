@@ -74,7 +74,7 @@ TEST_CASE("clients get each notice once, with the place") {
         }
 }
 
-TEST_CASE("who stands beside a place outside the ground is told of, once for each order") {
+TEST_CASE("who stands beside a place outside the ground is announced, once for each order") {
     Session session(sessionDef());
     WorldDef def = smallFloor();
     def.groups[0].name = "Blue";
@@ -108,13 +108,13 @@ TEST_CASE("who stands beside a place outside the ground is told of, once for eac
         if (one.standing == Standing::Outside) CHECK(one.x > 12.0f);
 }
 
-TEST_CASE("people inside a wall that is built over them are told of, and walk out") {
+TEST_CASE("people inside a wall that is built over them are announced, and walk out") {
     Session session(sessionDef());
     REQUIRE(session.load("floor", smallFloor()).ok());
     FakeClient client(session);
     run(session, 1.0, {&client});
     const Vec2 middle = session.world()->group(0).pose.position;
-    const Vec2 low = middle - Vec2{0.3, 8.0}, high = middle + Vec2{0.3, 8.0};
+    const Vec2 low = middle - Vec2{2.0, 2.0}, high = middle + Vec2{2.0, 2.0};
     const PutThing wall{.obstacle = ObstacleDef{.polygon = {low, {high.x, low.y}, high, {low.x, high.y}}}};
     client.send(protocol::Edit{"Wall", 0, commandBytes(CommandBody(wall)), {}});
     run(session, 0.5, {&client});

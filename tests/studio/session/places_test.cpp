@@ -13,8 +13,8 @@ using namespace muster::testing;
 namespace {
 
 /// A floor of 60 m by 40 m with 16 characters at -20, 0, a house of 12 m in the south, and a wall that cuts
-/// off all beyond x = 21.
-Session houseSession() {
+/// off all beyond x = 21; with a gap of 0.4 m between two blocks in the south-west, if wanted.
+Session houseSession(bool gap = false) {
     SessionDef def = sessionDef();
     Session session(def);
     WorldDef world = smallFloor();
@@ -22,7 +22,10 @@ Session houseSession() {
     world.groups[0].position = {-20, 0};
     ObstacleDef house{.polygon = {{0, -18}, {12, -18}, {12, -6}, {0, -6}}};
     ObstacleDef wall{.polygon = {{20, -20}, {21, -20}, {21, 20}, {20, 20}}};
+    ObstacleDef low{.polygon = {{-28, -18}, {-27, -18}, {-27, -17}, {-28, -17}}};
+    ObstacleDef high{.polygon = {{-28, -16.6}, {-27, -16.6}, {-27, -16}, {-28, -16}}};
     world.obstacles = {house, wall};
+    if (gap) world.obstacles.insert(world.obstacles.end(), {low, high});
     REQUIRE(session.load("small", world).ok());
     return session;
 }
@@ -78,9 +81,9 @@ TEST_CASE("Every place of a formation is answered, and nothing changes") {
 }
 
 TEST_CASE("Places in obstacles, outside, and beyond a wall are told apart") {
-    Session session = houseSession();
+    Session session = houseSession(true);
     FakeClient client(session);
-    protocol::PlacesAsk given{.group = 1, .places = {-10, 0, 6, -12, 25, 3, 40, 0, 0.3, -6.2, 0.0, -4.0}};
+    protocol::PlacesAsk given{.group = 1, .places = {-10, 0, 6, -12, 25, 3, 40, 0, -27.5, -16.8, 0.0, -4.0}};
     client.send(protocol::AskPlaces{1, {given, ask(kColumn, {6, -6})}});
     client.poll();
     REQUIRE(client.places.size() == 1);

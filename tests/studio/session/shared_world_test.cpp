@@ -29,7 +29,7 @@ struct TwoDirectors {
 
 }  // namespace
 
-TEST_CASE("Who paused is told until somebody plays") {
+TEST_CASE("Who paused is shown until somebody plays") {
     TwoDirectors two;
     two.anna.send(protocol::Playback{PlaybackAction::Pause});
     two.pass(0.1);

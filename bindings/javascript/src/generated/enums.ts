@@ -333,7 +333,7 @@ export const Standing = {
   InPlace: 0,
   /** It is on its way, or its place is. */
   OnTheWay: 1,
-  /** Its group was told to hold, or it has not set out yet. */
+  /** Its group was ordered to hold, or it has not set out yet. */
   Held: 2,
   /** It has not got on for 5 s. */
   Stuck: 3,

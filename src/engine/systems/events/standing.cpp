@@ -99,7 +99,7 @@ private:
     const WorldState& state_;
     const Group& group_;
     const std::uint32_t second_;
-    const bool held_;  // It was told to hold before its order was done.
+    const bool held_;  // It was ordered to hold before its order was done.
     const bool goes_;
     std::vector<std::int32_t> unfit_;
     std::vector<Vec2> wanted_;  // By place: where the formation wants it [m].

@@ -22,7 +22,7 @@ struct EventNotice {
 };
 
 /// Appends what to say of the events of a world's last step: one sentence per group and kind. Arrivals are
-/// told by frames alone.
+/// known by frames alone.
 void appendNotices(const World& world, std::vector<EventNotice>& notices);
 
 /// The position at which a finger came down or a new control should be; nothing for other commands.

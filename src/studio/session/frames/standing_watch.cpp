@@ -38,7 +38,7 @@ bool anybodyCame(const World& world) {
 
 }  // namespace
 
-// A place to which no way leads is told of when the order is given: there is no need to repeat it.
+// A place to which no way leads is announced when the order is given: there is no need to repeat it.
 void StandingWatch::heed(const World& world) {
     for (const Event& event : world.events()) {
         if (event.kind == EventKind::NoPath || event.kind == EventKind::Partial ||
@@ -59,16 +59,16 @@ void StandingWatch::look(const World& world, std::vector<EventNotice>& notices) 
         known.counts = counts;
         // Most of the group set out again: what is found next is news.
         if (2 * numberOf(counts, Standing::OnTheWay) > static_cast<std::uint32_t>(group.count))
-            known.told = 0;
+            known.announced = 0;
         if (known.rests < kRestLooks) continue;
         const std::uint32_t barred = barredOf(counts);
         const bool isKnown = barred == std::min(known.without, numberOf(counts, Standing::NoWay)) ||
                              barred == numberOf(counts, Standing::Stuck);
-        if (barred > known.told && !isKnown)
+        if (barred > known.announced && !isKnown)
             notices.push_back({protocol::NoticeLevel::Warning, "standing",
                                groupTitle(group) + ": " + standingSentence(counts),
                                middleOfBarred(world, g, inspect::standings(world))});
-        known.told = barred;
+        known.announced = barred;
     }
 }
 

@@ -22,10 +22,10 @@ public:
 private:
     /// What is known of a group.
     struct Known {
-        StandingCounts counts{};    ///< At the last look.
-        std::int32_t rests = 0;     ///< Looks for which nobody was on the way and nothing changed.
-        std::uint32_t told = 0;     ///< How many were told to be out of place; 0 for nobody.
-        std::uint32_t without = 0;  ///< How many places no way leads to, as an event told.
+        StandingCounts counts{};      ///< At the last look.
+        std::int32_t rests = 0;       ///< Looks for which nobody was on the way and nothing changed.
+        std::uint32_t announced = 0;  ///< How many were said to be out of place; 0 for nobody.
+        std::uint32_t without = 0;    ///< How many places no way leads to, as an event says.
     };
 
     void heed(const World& world);
