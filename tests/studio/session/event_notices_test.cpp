@@ -108,6 +108,24 @@ TEST_CASE("who stands beside a place outside the ground is announced, once for e
         if (one.standing == Standing::Outside) CHECK(one.x > 12.0f);
 }
 
+TEST_CASE("a formation that a finger holds beyond the edge is announced when the finger lifts") {
+    Session session(sessionDef());
+    REQUIRE(session.load("floor", smallFloor()).ok());
+    FakeClient client(session);
+    run(session, 1.0, {&client});
+    const Vec2 middle = session.world()->group(0).pose.position;
+    client.touchAt(TouchPhase::Down, middle, 1.0);
+    for (int k = 1; k <= 20; ++k) {
+        client.touchAt(TouchPhase::Move, middle + Vec2{1.0 * k, 0}, 1.0 + 0.1 * k);
+        run(session, 0.1, {&client});
+    }
+    run(session, 15.0, {&client});
+    CHECK(client.noticed("standing").empty());
+    client.touchAt(TouchPhase::Up, middle + Vec2{20, 0}, 20.0);
+    run(session, 15.0, {&client});
+    CHECK(client.noticed("standing").find(" outside the ground") != std::string::npos);
+}
+
 TEST_CASE("people inside a wall that is built over them are announced, and walk out") {
     Session session(sessionDef());
     REQUIRE(session.load("floor", smallFloor()).ok());

@@ -29,6 +29,14 @@ Vec2 middleOfBarred(const World& world, std::size_t group, const std::vector<Sta
     return number > 0.0 ? sum / number : world.group(group).pose.position;
 }
 
+/// True while a finger holds the mesh: whoever bends it sees where it lies.
+bool isInHand(const GroupView& group) {
+    return std::any_of(group.controls.begin(), group.controls.end(), [](const Control& control) {
+        return std::any_of(control.points.begin(), control.points.end(),
+                           [](const ControlPoint& point) { return point.down; });
+    });
+}
+
 /// True where people may have come into obstacles.
 bool anybodyCame(const World& world) {
     return std::any_of(world.events().begin(), world.events().end(), [](const Event& event) {
@@ -54,8 +62,9 @@ void StandingWatch::look(const World& world, std::vector<EventNotice>& notices) 
         const GroupView group = world.group(g);
         Known& known = groups_[group.id.value];
         const StandingCounts& counts = all[g];
-        known.rests = counts == known.counts && numberOf(counts, Standing::OnTheWay) == 0 ? known.rests + 1
-                                                                                          : 0;
+        const bool rests = counts == known.counts && numberOf(counts, Standing::OnTheWay) == 0 &&
+                           !isInHand(group);
+        known.rests = rests ? known.rests + 1 : 0;
         known.counts = counts;
         // Most of the group set out again: what is found next is news.
         if (2 * numberOf(counts, Standing::OnTheWay) > static_cast<std::uint32_t>(group.count))
