@@ -50,7 +50,7 @@ TEST_CASE("a code as text has its quiet zone, and half a line for each row") {
 }
 
 TEST_CASE("the page reads links and code as JSON") {
-    CHECK(invitationJson({}) == "{\"links\":[],\"code\":[]}\n");
+    CHECK(invitationJson({}) == "{\"links\":[],\"code\":[],\"site\":\"\"}\n");
     const std::string json = invitationJson(makeInvitation({"10.0.0.2"}, 1, "t"));
     CHECK(json.find("http://10.0.0.2:1/?token=t") != std::string::npos);
 }

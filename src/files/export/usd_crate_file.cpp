@@ -19,7 +19,7 @@ constexpr char kExplicitItems = 1 | 2, kPrependedItems = 32;  // The head of a l
 
 /// A number with 16 bits; what is below its smallest normal one becomes 0.
 std::uint16_t halfOf(double value) {
-    const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
+    const auto bits = bitCast<std::uint32_t>(static_cast<float>(value));
     const auto exponent = static_cast<int>(bits >> 23 & 255u) - 112;
     const std::uint32_t sign = bits >> 16 & 0x8000u;
     const std::uint32_t rest = exponent <= 0
@@ -30,13 +30,13 @@ std::uint16_t halfOf(double value) {
 
 void putNumber(const UsdType& type, double value, std::string& out) {
     if (type.bytes == 8)
-        crateWord(std::bit_cast<std::uint64_t>(value), 8, out);
+        crateWord(bitCast<std::uint64_t>(value), 8, out);
     else if (type.bytes == 2)
         crateWord(halfOf(value), 2, out);
     else if (type.code == kInt)
         crateWord(static_cast<std::uint32_t>(static_cast<std::int32_t>(value)), 4, out);
     else
-        crateWord(std::bit_cast<std::uint32_t>(static_cast<float>(value)), 4, out);
+        crateWord(bitCast<std::uint32_t>(static_cast<float>(value)), 4, out);
 }
 
 /// Numbers as the file has them: of rotations w comes last.
@@ -64,7 +64,7 @@ public:
         std::string times;
         crateWord(pace.frames, 8, times);
         for (std::size_t k = 0; k < pace.frames; ++k)
-            crateWord(std::bit_cast<std::uint64_t>(static_cast<double>(k)), 8, times);
+            crateWord(bitCast<std::uint64_t>(static_cast<double>(k)), 8, times);
         times_ = store(kDoubleVector, times, false);
         return status_;
     }
@@ -90,7 +90,7 @@ public:
         crateWord(words.size(), 8, times);
         crateWord(words.size(), 8, list);
         for (const auto& [frame, word] : words) {
-            crateWord(std::bit_cast<std::uint64_t>(static_cast<double>(frame)), 8, times);
+            crateWord(bitCast<std::uint64_t>(static_cast<double>(frame)), 8, times);
             crateWord(crateInline(kToken, tables_.word(word)), 8, list);
         }
         std::string head = samplesHead(store(kDoubleVector, times, false));
@@ -156,16 +156,16 @@ private:
         crateWord(1, 8, bytes);
         crateWord(tables_.string(""), 4, bytes);
         crateWord(tables_.find(path), 4, bytes);
-        for (const double number : {0.0, 1.0}) crateWord(std::bit_cast<std::uint64_t>(number), 8, bytes);
+        for (const double number : {0.0, 1.0}) crateWord(bitCast<std::uint64_t>(number), 8, bytes);
         crateWord(0, 8, bytes);
         return store(kReferenceListOp, bytes, false);
     }
     CrateValue real(double value) {
         const auto narrow = static_cast<float>(value);
         if (static_cast<double>(narrow) == value)
-            return crateInline(kDouble, std::bit_cast<std::uint32_t>(narrow));
+            return crateInline(kDouble, bitCast<std::uint32_t>(narrow));
         std::string bytes;
-        crateWord(std::bit_cast<std::uint64_t>(value), 8, bytes);
+        crateWord(bitCast<std::uint64_t>(value), 8, bytes);
         return store(kDouble, bytes, false);
     }
     CrateValue valueOf(const UsdValue& value) {
