@@ -41,8 +41,8 @@ describe('plainWords', () => {
   it('counts items, and says when the world is slow', () => {
     expect(words({ items: 12, collected: 3 })).toContain('3 of 12 collected');
     expect(words({ characters: 12000 })).toContain('12\u2009000 people');
-    expect(words({ pace: 0.5 })).toContain('slowed to 50 % of real time');
-    expect(words({ pace: 1.5, speed: 2 })).toContain('slowed to 1.5×');
+    expect(words({ pace: 0.5 })).toContain('at 50 % of real time');
+    expect(words({ pace: 1.5, speed: 2 })).toContain('at 1.5×');
     expect(words({ pace: 1.99, speed: 2 })).not.toContain('slowed');
     expect(words({ pace: NaN })).not.toContain('slowed');
   });

@@ -43,9 +43,7 @@ function doing({ lag, playing, replaying, units, standings }: PlainState): strin
 
 function slowness({ pace, speed }: PlainState): string {
   if (!(pace < kSlow * speed)) return '';
-  return speed === 1
-    ? `slowed to ${Math.max(1, Math.round(100 * pace))} % of real time`
-    : `slowed to ${pace.toFixed(1)}×`;
+  return speed === 1 ? `at ${Math.max(1, Math.round(100 * pace))} % of real time` : `at ${pace.toFixed(1)}×`;
 }
 
 export function plainWords(state: PlainState): PlainWords {

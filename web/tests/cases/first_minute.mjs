@@ -131,8 +131,8 @@ export async function ghostOfGroup(studio) {
   const group = (await studio.frame()).groups[0];
   const [over, free] = await studio.screen([group, { x: group.x + 14, y: group.y + 2 }]);
   for (const [at, words] of [
-    [over, /\d+ of 60 places are not free/],
-    [free, /All places are free/],
+    [over, /\d+ of 60 spots are not free/],
+    [free, /All spots are free/],
   ])
     await studio.eventually(async () => {
       await page.mouse.move(at.x + 1, at.y);

@@ -128,7 +128,7 @@ export async function frontOverGranary(studio) {
 export async function tryOnTheGround(studio) {
   const { page } = studio;
   const dialog = page.locator('dialog.shape-dialog[open]');
-  const bar = page.locator('.try-bar');
+  const bar = page.locator('.try-bar:not(.placing-bar)');
   const more = formation(studio, 'More');
   await more.scrollIntoViewIfNeeded();
   await more.click();

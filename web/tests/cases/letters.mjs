@@ -165,7 +165,7 @@ export async function pictureUpright(studio) {
 
 /** Places that nobody can get to are said in the dialog, and again where the formation is taken up all the same. */
 export async function unreachableIsSaid(studio) {
-  const words = /\d+ of 36 places cannot be reached/;
+  const words = /\d+ of 36 spots (cannot be reached|lie in obstacles)/;
   await openDialog(studio, 'shape');
   for (let i = 0; i < 10; ++i) await dialog(studio).locator('button', { hasText: 'Looser' }).click();
   await studio.eventually(async () =>

@@ -96,7 +96,7 @@ export async function doorGateAndCar(studio) {
       },
       [least, most],
     );
-  await until('it slides open', 1.5, 3);
+  await until('it slides open', 1.99, 3);
   await panel(studio).getByRole('button', { name: 'Pause' }).click();
   await panel(studio).getByRole('button', { name: 'Shut now' }).click();
   await panel(studio).getByRole('button', { name: 'Open now' }).waitFor();
