@@ -17,7 +17,7 @@ const kToast = 4000;
 const kOver: readonly StudyStage[] = [StudyStage.Thanks, StudyStage.BrokenOff, StudyStage.Elsewhere];
 
 export class StudyShell {
-  private readonly main_ = element('main', { class: 'study-main' });
+  private readonly main_ = element('div', { class: 'study-main' });
   private readonly run_ = element('span', { class: 'secondary study-run' });
   private readonly progress_ = element('progress', { class: 'study-progress', max: 1, value: 0, 'aria-label': 'Done' });
   private readonly stop_ = element('button', { type: 'button', class: 'study-stop' }, 'Stop taking part');
