@@ -6,12 +6,14 @@ import { Reach, kTogether, steering, watching } from './reach.mjs';
 
 const axeSource = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
-/** What axe finds by WCAG 2.2 AA and by best practices, each with the first elements. */
+/** What axe finds by WCAG 2.2 AA and by best practices, each with the first elements. An open menu or dialog is looked at alone:
+ * it may lie over what is below. */
 async function violations(studio) {
   if (!(await studio.page.evaluate(() => 'axe' in globalThis))) await studio.page.evaluate(axeSource);
   return studio.page.evaluate(async () => {
     const tags = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'];
-    const found = await globalThis.axe.run(document, { resultTypes: ['violations'], runOnly: tags });
+    const top = [...document.querySelectorAll(':modal, :popover-open')].at(-1);
+    const found = await globalThis.axe.run(top ?? document, { resultTypes: ['violations'], runOnly: tags });
     return found.violations.map(({ id, nodes }) => {
       const first = nodes.slice(0, 3).map(({ target, any }) => `${target.join(' ')} (${any[0]?.message ?? ''})`);
       return `${id}: ${first.join(', ')}`;

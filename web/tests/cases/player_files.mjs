@@ -16,7 +16,7 @@ let reader = null;
 async function player() {
   if (reader) return reader;
   const outfile = join(mkdtempSync(join(tmpdir(), 'muster-player-')), 'player.mjs');
-  const from = new URL('../../src/player/index', import.meta.url).pathname;
+  const from = new URL('../../src/player/', import.meta.url).pathname;
   const contents = `export * from '${from}file/loaded_crowd'; export * from '${from}file/player_file';
     export * from '${from}play/crowd_moment'; export * from '${from}play/pose_bank';`;
   const stdin = { contents, resolveDir: from, loader: 'ts' };
