@@ -162,8 +162,7 @@ private:
     }
     CrateValue real(double value) {
         const auto narrow = static_cast<float>(value);
-        if (static_cast<double>(narrow) == value)
-            return crateInline(kDouble, bitCast<std::uint32_t>(narrow));
+        if (static_cast<double>(narrow) == value) return crateInline(kDouble, bitCast<std::uint32_t>(narrow));
         std::string bytes;
         crateWord(bitCast<std::uint64_t>(value), 8, bytes);
         return store(kDouble, bytes, false);
