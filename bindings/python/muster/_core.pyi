@@ -28,6 +28,7 @@ from ._types import (
     QueuedOrder,
     ReplayReport,
     RunFigures,
+    Standing,
     TakeAbout,
     TakeEvent,
     Vec2,
