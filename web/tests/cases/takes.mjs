@@ -316,10 +316,14 @@ export async function exports(studio) {
       const canvas = document.createElement('canvas');
       [canvas.width, canvas.height] = [64, 36];
       const context = canvas.getContext('2d');
-      context.drawImage(video, 0, 0, 64, 36);
-      const { data } = context.getImageData(0, 0, 64, 36);
       const colours = new Set();
-      for (let i = 0; i < data.length; i += 4) colours.add((data[i] << 16) | (data[i + 1] << 8) | data[i + 2]);
+      // A decoder may be done with a picture some time after the seek is.
+      for (let tries = 0; tries < 100 && colours.size < 2; ++tries) {
+        await new Promise((done) => requestAnimationFrame(done));
+        context.drawImage(video, 0, 0, 64, 36);
+        const { data } = context.getImageData(0, 0, 64, 36);
+        for (let i = 0; i < data.length; i += 4) colours.add((data[i] << 16) | (data[i + 1] << 8) | data[i + 2]);
+      }
       return { width: video.videoWidth, height: video.videoHeight, duration: video.duration, colours: colours.size };
     },
     [film.bytes.toString('base64'), film.name.endsWith('mp4') ? 'video/mp4' : 'video/webm'],
