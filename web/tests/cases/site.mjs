@@ -301,6 +301,10 @@ export async function offline(studio, server) {
   await studio.page.reload();
   await studio.until('the first frame', () => (globalThis.__muster?.frame?.groups.length ?? 0) > 0, null, 30000);
   await studio.until('the first picture', () => globalThis.__muster.view.stats.shownFrame > 0);
+  // In the market people patrol by themselves.
+  await studio.send({ type: 'LoadScenario', name: 'market' });
+  await studio.until('the market', () => globalThis.__muster.state.scenario === 'market');
+  await studio.wait(500);
   const before = crowd(await studio.frame());
   await studio.wait(1500);
   const walked = crowd(await studio.frame()).filter((at, i) => distance(at, before[i]) > 0.3).length;
