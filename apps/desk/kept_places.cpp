@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "base/output_file.h"
 #include "base/text_file.h"
 #include "muster/scenario.h"
 
@@ -30,12 +31,10 @@ std::string stemOf(const std::string& title) {
 }
 
 Status replaceFile(const std::string& path, std::string_view text) {
-    const std::string draft = path + ".new";
-    if (Status s = writeTextFile(draft, text); !s.ok()) return s;
-    std::error_code error;
-    fs::rename(draft, path, error);
-    if (error) return {StatusCode::IoError, path + ": " + error.message()};
-    return {};
+    OutputFile file;
+    if (Status s = file.open(path); !s.ok()) return s;
+    if (Status s = file.write(text); !s.ok()) return s;
+    return file.commit();
 }
 
 }  // namespace

@@ -190,6 +190,12 @@ std::vector<ShelvedTake> TakeShelf::list() {
     return all;
 }
 
+std::vector<std::string> TakeShelf::titles() {
+    std::vector<std::string> titles;
+    for (const ShelvedTake& take : list()) titles.push_back(take.about.title);
+    return titles;
+}
+
 Result<std::string> TakeShelf::put(std::span<const std::uint8_t> bytes) {
     const auto take = parseTake(bytes, "take");
     if (!take.ok()) return take.status();

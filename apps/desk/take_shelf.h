@@ -43,6 +43,8 @@ public:
     Result<std::unique_ptr<TakeSink>> record(const std::string& scenario);
     /// All takes, the newest first. Files that are no takes are left out.
     std::vector<ShelvedTake> list();
+    /// Their titles, in the same order.
+    std::vector<std::string> titles();
     /// Puts a take there, unless the same one is there already, and returns its name. Fails as parseTake()
     /// does.
     Result<std::string> put(std::span<const std::uint8_t> bytes);

@@ -51,11 +51,7 @@ PageEngine::PageEngine(const PageEngineDef& def)
     session.keepAbout = [this](const std::string& take, const TakeAbout& about) {
         return shelf_.edit(take, about);
     };
-    session.takeTitles = [this] {
-        std::vector<std::string> titles;
-        for (const ShelvedTake& take : shelf_.list()) titles.push_back(take.about.title);
-        return titles;
-    };
+    session.takeTitles = [this] { return shelf_.titles(); };
     session_ = std::make_unique<Session>(std::move(session));
 }
 

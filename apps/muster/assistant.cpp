@@ -223,15 +223,14 @@ Assistant::Outcome Assistant::act(std::vector<std::uint8_t> bytes, const std::st
 
 std::string Assistant::troubles() {
     std::string text;
-    link_.await(
-        std::chrono::duration_cast<std::chrono::milliseconds>(kSettled),
-        [&](const protocol::ServerMessage& message) {
-            const auto* notice = std::get_if<protocol::Notice>(&message);
-            const bool ours = notice != nullptr && notice->level != protocol::NoticeLevel::Info &&
-                              (notice->level == protocol::NoticeLevel::Error || notice->code == "rejected");
-            if (ours) text += (text.empty() ? "" : " ") + notice->text;
-            return false;
-        });
+    link_.await(kSettled, [&](const protocol::ServerMessage& message) {
+        const auto* notice = std::get_if<protocol::Notice>(&message);
+        const bool ours = notice != nullptr &&
+                          (notice->level == protocol::NoticeLevel::Error ||
+                           (notice->level == protocol::NoticeLevel::Warning && notice->code == "rejected"));
+        if (ours) text += (text.empty() ? "" : " ") + notice->text;
+        return false;
+    });
     return text;
 }
 

@@ -53,11 +53,7 @@ Result<Session> makeSession(const StudioOptions& options, ScenarioFolder& folder
     def.keepAbout = [&shelf](const std::string& take, const TakeAbout& about) {
         return shelf.edit(take, about);
     };
-    def.takeTitles = [&shelf] {
-        std::vector<std::string> titles;
-        for (const ShelvedTake& take : shelf.list()) titles.push_back(take.about.title);
-        return titles;
-    };
+    def.takeTitles = [&shelf] { return shelf.titles(); };
     def.keepScenario = [&folder, &places](const WorldDef& place) -> Result<ScenarioEntry> {
         const auto path = places.put(place);
         if (!path.ok()) return path.status();

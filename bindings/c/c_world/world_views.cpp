@@ -91,9 +91,7 @@ MusterStatus muster_world_standings(MusterWorldId world, const uint8_t** outStan
         if (const Status given = needPointers({"outStandings", "outCount"}, outStandings, outCount);
             !given.ok())
             return given;
-        std::vector<std::uint8_t> standings;
-        for (const Standing one : handle.world().standings())
-            standings.push_back(static_cast<std::uint8_t>(one));
+        const std::vector<Standing> standings = handle.world().standings();
         *outStandings = copyOf<std::uint8_t>(standings, handle.lend(Lent::Standings));
         *outCount = static_cast<std::int32_t>(standings.size());
         return {};

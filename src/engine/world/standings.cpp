@@ -35,10 +35,6 @@ constexpr BarWords kBars[] = {
     {Standing::Stuck, {"they do not get on", "it does not get on"}, {"do not get on", "does not get on"}},
 };
 
-std::uint32_t numberOf(const StandingCounts& counts, Standing standing) {
-    return counts[static_cast<std::size_t>(standing)];
-}
-
 std::string isOrAre(std::uint32_t number) {
     return number == 1 ? " is" : " are";
 }
@@ -64,8 +60,11 @@ std::string groupTitle(const GroupView& group) {
 }
 
 std::vector<StandingCounts> countStandings(const World& world) {
+    return countStandings(world, inspect::standings(world));
+}
+
+std::vector<StandingCounts> countStandings(const World& world, const std::vector<StandingReport>& reports) {
     std::vector<StandingCounts> counts(world.groupCount(), StandingCounts{});
-    const std::vector<StandingReport> reports = inspect::standings(world);
     const CharactersView characters = world.characters();
     for (std::size_t i = 0; i < reports.size(); ++i)
         ++counts[characters.group[i]][static_cast<std::size_t>(reports[i].standing)];

@@ -10,6 +10,8 @@
 
 namespace muster {
 
+struct StandingReport;
+
 /// People by Standing.
 using StandingCounts = std::array<std::uint32_t, kCountOf<Standing>>;
 
@@ -20,8 +22,14 @@ constexpr bool isBarred(Standing standing) {
 
 /// The name of a group in sentences.
 std::string groupTitle(const GroupView& group);
+/// How many stand so.
+constexpr std::uint32_t numberOf(const StandingCounts& counts, Standing standing) {
+    return counts[static_cast<std::size_t>(standing)];
+}
 /// The counts of each group.
 std::vector<StandingCounts> countStandings(const World& world);
+/// The same of reports about all characters, in their order.
+std::vector<StandingCounts> countStandings(const World& world, const std::vector<StandingReport>& reports);
 /// How many cannot be in their places.
 std::uint32_t barredOf(const StandingCounts& counts);
 /// "37 of 49 are in place. 12 cannot be: their places lie outside the ground."

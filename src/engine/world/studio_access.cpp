@@ -36,6 +36,15 @@ std::vector<Standing> barsOf(const World& world, GroupId group, std::span<const 
     return bars;
 }
 
+Result<std::vector<Vec2>> placesAt(const FormationDef& formation, int count, const Pose& at) {
+    const Result<Formation> made = makeFormation(formation, count);
+    if (!made.ok()) return made.status();
+    std::vector<Vec2> places;
+    for (const MeshPoint& place : made->places)
+        places.push_back(at.apply(place.position(made->mesh.triangles, made->mesh.vertices)));
+    return places;
+}
+
 Result<std::vector<Vec2>> placesAt(const World& world, GroupId group, const FormationDef& formation,
                                    const Pose& at, int count) {
     const Group* const found = WorldAccess::of(world).state.findGroup(group);
@@ -43,12 +52,7 @@ Result<std::vector<Vec2>> placesAt(const World& world, GroupId group, const Form
     if (Status status = validate(formation); !status.ok()) return status;
     const int people = count > 0 ? count : found->def.count;
     if (people < 1) return std::vector<Vec2>{};
-    const Result<Formation> made = makeFormation(formation, people);
-    if (!made.ok()) return made.status();
-    std::vector<Vec2> places;
-    for (const MeshPoint& place : made->places)
-        places.push_back(at.apply(place.position(made->mesh.triangles, made->mesh.vertices)));
-    return places;
+    return placesAt(formation, people, at);
 }
 
 std::size_t dropWaitingCommands(World& world) {

@@ -17,6 +17,10 @@ namespace muster {
 /// bar nothing. All InPlace for an unknown group.
 std::vector<Standing> barsOf(const World& world, GroupId group, std::span<const Vec2> places);
 
+/// The places of a formation for `count` > 0 characters with its centre at a pose. Fails, naming the cause,
+/// where the formation cannot be made.
+Result<std::vector<Vec2>> placesAt(const FormationDef& formation, int count, const Pose& at);
+
 /// The places of a formation for `count` characters (0: as many as a group has), with its centre at a pose.
 /// Fails, naming the cause, where there is no such group or the formation cannot be made.
 Result<std::vector<Vec2>> placesAt(const World& world, GroupId group, const FormationDef& formation,

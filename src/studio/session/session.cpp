@@ -286,11 +286,8 @@ void Session::Impl::reportRejections() {
         if (const auto* touch = std::get_if<Touch>(&body);
             touch != nullptr && touch->phase != TouchPhase::Down)
             continue;
-        const auto found = std::find_if(clients.begin(), clients.end(), [&](const auto& entry) {
-            return entry.second.number == rejection.command.client;
-        });
-        if (found != clients.end())
-            notice(found->second, protocol::NoticeLevel::Warning, "rejected", rejection.status.message(),
+        if (SessionClient* const client = clientOf(rejection.command.client))
+            notice(*client, protocol::NoticeLevel::Warning, "rejected", rejection.status.message(),
                    positionOf(body));
     }
 }

@@ -47,12 +47,10 @@ public:
         if (message.group != 0 && group == nullptr) return noGroup(message.group);
         const Status status = session_.directors.give(message.client, GroupId{message.group});
         if (!status.ok()) return status;
-        const auto found = std::find_if(
-            session_.clients.begin(), session_.clients.end(),
-            [&](const auto& entry) { return entry.second.number == message.client; });
-        if (message.client == client_.number || found == session_.clients.end()) return {};
+        SessionClient* const given = session_.clientOf(message.client);
+        if (given == nullptr || given == &client_) return {};
         const std::string what = group == nullptr ? "everything" : group->name;
-        session_.notice(found->second, protocol::NoticeLevel::Info, "director",
+        session_.notice(*given, protocol::NoticeLevel::Info, "director",
                         session_.directors.name(client_.number) + " gave you " + what + " to direct.");
         return {};
     }

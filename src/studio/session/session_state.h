@@ -145,6 +145,7 @@ struct Session::Impl {
     // The world that directors share (session_shared.cpp).
     std::size_t greetedClients() const;
     std::uint32_t numberOf(std::uint32_t id) const;  ///< 0 for who is not there.
+    SessionClient* clientOf(std::uint32_t number);   ///< Null for who is not there.
     std::uint32_t idOf(std::uint32_t number) const;  ///< 0 for who is not there.
     void pause(const SessionClient& client);
     void resume();

@@ -33,7 +33,7 @@ export class ArrivalWatch {
     const arrivals: Arrival[] = [];
     groups.forEach(({ id, standings, x, y }, index) => {
       const since = this.since_.get(id);
-      const whole = [...Array(standings.length).keys()].every((k) => k === Number(Standing.InPlace) || !standings[k]);
+      const whole = Array.from(standings).every((count, k) => count === 0 || k === Number(Standing.InPlace));
       if (whole && events.some(({ kind, subject }) => kind === EventKind.Arrived && subject === id))
         arrivals.push({ id, index, seconds: since === undefined ? 0 : time - since, x, y });
       if (whole || (since !== undefined && since > time)) this.since_.delete(id);

@@ -15,7 +15,7 @@ export type FileKind =
   | 'unknown';
 
 /** So much of a file is looked at [bytes]. */
-export const kHead = 65536;
+const kHead = 65536;
 /** So much where that does not tell: a glTF has its skins anywhere in its JSON. */
 const kWhole = 64 << 20;
 
@@ -56,7 +56,7 @@ const isGlb = (head: Uint8Array): boolean =>
   head.length >= 20 && [0x67, 0x6c, 0x54, 0x46].every((one, i) => head[i] === one);
 
 /** How many bytes of a file that begins so tell what it is. */
-export function bytesThatTell(head: Uint8Array): number {
+function bytesThatTell(head: Uint8Array): number {
   // The length of the first chunk, its JSON.
   if (isGlb(head)) return Math.min(kWhole, 20 + new DataView(head.buffer, head.byteOffset).getUint32(12, true));
   const text = new TextDecoder().decode(head);

@@ -1,7 +1,7 @@
 // How the crowd does, in words that need no explanation.
 
 import { formatCount } from './formatters';
-import { standingSum } from './standing';
+import { standingSum, type StandingSum } from './standing';
 import type { StudioState } from './studio_state';
 
 export interface PlainWords {
@@ -25,10 +25,9 @@ type PlainState = Pick<
   'characters' | 'lag' | 'playing' | 'replaying' | 'standings' | 'pace' | 'speed' | 'items' | 'collected' | 'units'
 >;
 
-function doing({ lag, playing, replaying, units, standings }: PlainState): string {
+function doing({ lag, playing, replaying, units }: PlainState, { all, there, walk, held }: StandingSum): string {
   if (!playing) return 'paused';
   if (replaying) return 'in a replay';
-  const { all, there, walk, held } = standingSum(standings);
   if (all === 0) return '';
   if (there === all) return 'all in their places';
   if (walk > 0) {
@@ -48,11 +47,12 @@ function slowness({ pace, speed }: PlainState): string {
 
 export function plainWords(state: PlainState): PlainWords {
   const { characters, items, collected, standings } = state;
+  const sum = standingSum(standings);
   return {
     people: characters === 1 ? '1 person' : `${formatCount(characters)} people`,
-    does: characters === 0 ? '' : doing(state),
+    does: characters === 0 ? '' : doing(state, sum),
     items: items > 0 ? `${collected} of ${items} collected` : '',
-    barred: standingSum(standings).barred,
+    barred: sum.barred,
     slow: characters > 0 ? slowness(state) : '',
   };
 }

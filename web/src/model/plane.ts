@@ -79,3 +79,8 @@ export function pointsOf(pairs: ArrayLike<number>): GroundPoint[] {
   for (let i = 0; i + 1 < pairs.length; i += 2) points.push({ x: pairs[i]!, y: pairs[i + 1]! });
   return points;
 }
+
+/** Of a line through these points. */
+export function lengthOf(points: readonly GroundPoint[]): number {
+  return points.reduce((sum, point, i) => (i === 0 ? 0 : sum + distance(points[i - 1]!, point)), 0);
+}

@@ -3,7 +3,7 @@
 
 import type { Vec2 } from '../protocol/generated/commands';
 import { kFormationKindWords, type FormationKindWord } from '../protocol/generated/words';
-import { distance, type GroundPoint } from './plane';
+import { distance, type GroundPoint, lengthOf } from './plane';
 import { targetOf, type FormationWords, type QueueOrder } from './queue_order';
 
 export type { FormationWords } from './queue_order';
@@ -32,10 +32,6 @@ export const kJointShare = 0.305;
 const kUsualShare = 0.95;
 /** Stations lie at least so far apart, and from joints of the way [m]. */
 export const kLeastGap = 0.5;
-
-export function lengthOf(points: readonly GroundPoint[]): number {
-  return points.reduce((sum, point, i) => (i === 0 ? 0 : sum + distance(points[i - 1]!, point)), 0);
-}
 
 function isJoint({ kind, share }: QueueOrder): boolean {
   return kind === 'move' && isJointShare(share);

@@ -5,7 +5,7 @@ import { pageClock } from '../model/page_clock';
 import type { GroundPoint, ScreenPoint } from '../model/plane';
 import type { Contact, ContactOwner } from './contact';
 import { groundAxes } from './ground_axes';
-import { kLongStep, kStep, type ArrowKey } from './keyboard_steering';
+import { arrowStep, type ArrowKey } from './keyboard_steering';
 
 export interface CursorHost {
   readonly view: {
@@ -64,12 +64,9 @@ export class GroundCursor {
   arrow(key: ArrowKey, long: boolean): void {
     this.show();
     if (!this.at_) return;
-    const { from, to } = this.host_.room();
-    const middle = { x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 };
-    const axes = groundAxes((at) => this.host_.view.screenToWorld(at), middle);
-    const axis = key === 'ArrowUp' || key === 'ArrowDown' ? axes.up : axes.right;
-    const step = (long ? kLongStep : kStep) * (key === 'ArrowUp' || key === 'ArrowRight' ? 1 : -1);
-    const next = { x: this.at_.x + step * axis.x, y: this.at_.y + step * axis.y };
+    const axes = groundAxes((at) => this.host_.view.screenToWorld(at), this.centre());
+    const step = arrowStep(key, long, axes);
+    const next = { x: this.at_.x + step.x, y: this.at_.y + step.y };
     this.follow(next);
     // The camera keeps to the place: who went on would be out of sight.
     if (this.isInSight(next)) this.at_ = next;
@@ -136,8 +133,13 @@ export class GroundCursor {
   }
 
   private middle(): GroundPoint | null {
+    return this.host_.view.screenToWorld(this.centre());
+  }
+
+  /** The middle of the room between the panels. */
+  private centre(): ScreenPoint {
     const { from, to } = this.host_.room();
-    return this.host_.view.screenToWorld({ x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 });
+    return { x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 };
   }
 
   private isInSight(at: GroundPoint): boolean {

@@ -8,8 +8,8 @@ import { lassoCorners } from './lasso';
 /** Corners of the grabbed area, from the middle towards the hull. */
 const kShare = 0.6;
 /** Per key press [m]. */
-export const kStep = 0.5;
-export const kLongStep = 2;
+const kStep = 0.5;
+const kLongStep = 2;
 
 export type ArrowKey = 'ArrowUp' | 'ArrowDown' | 'ArrowLeft' | 'ArrowRight';
 
@@ -17,6 +17,13 @@ export type ArrowKey = 'ArrowUp' | 'ArrowDown' | 'ArrowLeft' | 'ArrowRight';
 export interface GroundAxes {
   readonly right: GroundPoint;
   readonly up: GroundPoint;
+}
+
+/** What one press of an arrow key moves by. */
+export function arrowStep(key: ArrowKey, long: boolean, { right, up }: GroundAxes): GroundPoint {
+  const axis = key === 'ArrowUp' || key === 'ArrowDown' ? up : right;
+  const step = (long ? kLongStep : kStep) * (key === 'ArrowUp' || key === 'ArrowRight' ? 1 : -1);
+  return { x: step * axis.x, y: step * axis.y };
 }
 
 /** Three to six corners of the inner part of a mesh. */
@@ -52,11 +59,9 @@ export class KeyboardSteering {
 
   move(key: ArrowKey, long: boolean, axes: GroundAxes, time: number): void {
     if (!this.control_ || !this.active) return;
-    const step = long ? kLongStep : kStep;
-    const axis = key === 'ArrowUp' || key === 'ArrowDown' ? axes.up : axes.right;
-    const sign = key === 'ArrowUp' || key === 'ArrowRight' ? step : -step;
+    const step = arrowStep(key, long, axes);
     for (const finger of this.control_.fingers) {
-      const at = { x: finger.at.x + sign * axis.x, y: finger.at.y + sign * axis.y };
+      const at = { x: finger.at.x + step.x, y: finger.at.y + step.y };
       this.controls_.move(this.control_, finger, at, time);
     }
   }

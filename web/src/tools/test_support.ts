@@ -83,7 +83,7 @@ export function frameWith(step: number, controls: readonly ControlFrame[]): Stud
   return { type: 'Frame', step, groups: [group] } as unknown as StudioFrame;
 }
 
-/** A orders for orders that has no tool in hand and no groups. */
+/** An order chooser that has no tool in hand and no groups and no groups. */
 export function noOrders(): OrderChooser {
   const camera = new CameraGesture({
     pan: () => undefined,

@@ -155,7 +155,7 @@ export async function clearPictures(studio) {
   expect(seen.soft > 0.001, `shadows and edges are between: ${seen.soft}`);
 }
 
-/** Rows of a picture: mean brightness, and how blue they are. */
+/** Rows of a picture: how blue they are. */
 const rowsOf = (studio, png) =>
   studio.page.evaluate(async (base64) => {
     const bytes = Uint8Array.from(globalThis.atob(base64), (c) => c.charCodeAt(0));

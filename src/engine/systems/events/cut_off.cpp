@@ -31,8 +31,7 @@ CutOff findCutOff(const WorldState& state, const Group& group) {
         targets += p;
     }
     for (const std::int32_t i : group.members) {
-        const std::int32_t label = routes.region(state.characters.position[i]);
-        if (label < 0 || label == group.region) continue;
+        if (!isCutOff(routes, group.region, state.characters.position[i])) continue;
         ++found.characters;
         characters += state.characters.position[i];
     }
@@ -57,6 +56,11 @@ EventKind kindOfGround(std::int32_t before, std::int32_t now) {
 }
 
 }  // namespace
+
+bool isCutOff(const RouteGraph& routes, std::int32_t region, Vec2 point) {
+    const std::int32_t label = routes.region(point);
+    return region >= 0 && label >= 0 && label != region;
+}
 
 void raiseWayEvents(WorldState& state, Group& group, std::vector<Event>& events) {
     OrderProgress& order = group.order;

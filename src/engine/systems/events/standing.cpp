@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/systems/events/cut_off.h"
 #include "engine/systems/events/rest.h"
 #include "engine/systems/events/standstill.h"
 
@@ -20,6 +21,7 @@ public:
     Judge(const WorldState& state, const Group& group)
         : state_(state),
           group_(group),
+          routes_(state.routesOf(group)),
           second_(stepsIn(state, kArrivedTime)),
           held_(group.orders.held && !group.orders.orders.empty()),
           goes_(isDrawn(group) || isOnItsWay(group) ||
@@ -76,9 +78,7 @@ private:
 
     /// True where the character stands on ground from which no way leads to its group.
     bool isCutOff(std::int32_t i) const {
-        if (group_.region < 0) return false;
-        const std::int32_t label = state_.routesOf(group_).region(state_.characters.position[i]);
-        return label >= 0 && label != group_.region;
+        return muster::isCutOff(routes_, group_.region, state_.characters.position[i]);
     }
 
     Vec2 wantedAt(std::int32_t place) const {
@@ -98,6 +98,7 @@ private:
 
     const WorldState& state_;
     const Group& group_;
+    const RouteGraph& routes_;
     const std::uint32_t second_;
     const bool held_;  // It was ordered to hold before its order was done.
     const bool goes_;

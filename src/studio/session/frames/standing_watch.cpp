@@ -13,11 +13,7 @@ namespace {
 constexpr std::uint32_t kLookPeriod = 15;  // Steps between two looks.
 constexpr std::int32_t kRestLooks = 4;     // Looks without a change after which people have come to rest.
 
-std::uint32_t numberOf(const StandingCounts& counts, Standing standing) {
-    return counts[static_cast<std::size_t>(standing)];
-}
-
-/// The middle of those members of a group who cannot be in their places.
+/// The middle of those members of a group who cannot be in their places; there must be some.
 Vec2 middleOfBarred(const World& world, std::size_t group, const std::vector<StandingReport>& reports) {
     Vec2 sum;
     double number = 0.0;
@@ -26,7 +22,7 @@ Vec2 middleOfBarred(const World& world, std::size_t group, const std::vector<Sta
         sum += world.characters().position[i];
         number += 1.0;
     }
-    return number > 0.0 ? sum / number : world.group(group).pose.position;
+    return sum / number;
 }
 
 /// True while a finger holds the mesh: whoever bends it sees where it lies.
@@ -57,7 +53,8 @@ void StandingWatch::heed(const World& world) {
 }
 
 void StandingWatch::look(const World& world, std::vector<EventNotice>& notices) {
-    const std::vector<StandingCounts> all = countStandings(world);
+    const std::vector<StandingReport> reports = inspect::standings(world);
+    const std::vector<StandingCounts> all = countStandings(world, reports);
     for (std::size_t g = 0; g < all.size(); ++g) {
         const GroupView group = world.group(g);
         Known& known = groups_[group.id.value];
@@ -76,7 +73,7 @@ void StandingWatch::look(const World& world, std::vector<EventNotice>& notices) 
         if (barred > known.announced && !isKnown)
             notices.push_back({protocol::NoticeLevel::Warning, "standing",
                                groupTitle(group) + ": " + standingSentence(counts),
-                               middleOfBarred(world, g, inspect::standings(world))});
+                               middleOfBarred(world, g, reports)});
         known.announced = barred;
     }
 }
@@ -87,7 +84,7 @@ void StandingWatch::findBuried(const World& world, std::vector<EventNotice>& not
     Vec2 sum;
     std::uint32_t number = 0;
     for (const Vec2 p : world.characters().position) {
-        if (environment.distanceToObstacle(p) >= 0.0) continue;
+        if (environment.distanceToObstacle(p, 0.0) >= 0.0) continue;
         ++number;
         sum += p;
     }

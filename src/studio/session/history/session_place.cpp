@@ -97,11 +97,9 @@ Status Session::Impl::undoEdit(SessionClient& client, bool redo) {
 void Session::Impl::submitEdits() {
     givenEdits = editor.due(*world);
     std::erase_if(givenEdits, [&](PlaceEditor::Given& given) {
-        const auto found = std::find_if(clients.begin(), clients.end(), [&](const auto& entry) {
-            return entry.second.number == given.client;
-        });
-        if (found == clients.end()) return true;
-        SessionClient& client = found->second;
+        SessionClient* const found = clientOf(given.client);
+        if (found == nullptr) return true;
+        SessionClient& client = *found;
         std::vector<CommandBody> bodies = given.batch.bodies;
         const std::uint32_t before = client.sequence;
         if (const Status status = submit(client, bodies, false); !status.ok()) {

@@ -18,6 +18,11 @@ Result<protocol::Forecasts> answerForecasts(const World& world, const protocol::
 Result<protocol::Places> answerPlaces(const World& world, const protocol::AskPlaces& message,
                                       const SessionLimits& limits);
 
+/// A forecast of a group, of no order in its queue.
+protocol::ForecastFrame forecastFrame(GroupId group, const OrderForecast& forecast);
+/// Places with what keeps a group from each; only the problem where they could not be made.
+protocol::PlacesFrame placesFrame(const World& world, GroupId group, const Result<std::vector<Vec2>>& places);
+
 /// Who cannot be in its place, and why.
 protocol::Standings answerStandings(const World& world, const protocol::AskStandings& message);
 

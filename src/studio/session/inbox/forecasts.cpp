@@ -29,9 +29,16 @@ protocol::ForecastFrame answer(const World& world, const protocol::ForecastAsk& 
     const Pose from{{ask.x, ask.y}, {cosine(ask.facing), sine(ask.facing)}};
     const OrderForecast forecast = ask.placed ? forecastFrom(world, group, order, from)
                                               : world.forecast(group, order);
-    protocol::ForecastFrame frame;
-    frame.group = ask.group;
+    protocol::ForecastFrame frame = forecastFrame(group, forecast);
     frame.order = ask.order;
+    return frame;
+}
+
+}  // namespace
+
+protocol::ForecastFrame forecastFrame(GroupId group, const OrderForecast& forecast) {
+    protocol::ForecastFrame frame;
+    frame.group = group.value;
     frame.arrives = forecast.arrives;
     frame.seconds = static_cast<float>(forecast.seconds);
     frame.x = static_cast<float>(forecast.end.x);
@@ -42,8 +49,6 @@ protocol::ForecastFrame answer(const World& world, const protocol::ForecastAsk& 
     }
     return frame;
 }
-
-}  // namespace
 
 Result<protocol::Forecasts> answerForecasts(const World& world, const protocol::AskForecasts& message,
                                             const SessionLimits& limits) {

@@ -55,11 +55,12 @@ std::vector<Vec2> given(const protocol::PlacesAsk& ask) {
     return places;
 }
 
-protocol::PlacesFrame answer(const World& world, const protocol::PlacesAsk& ask) {
+}  // namespace
+
+protocol::PlacesFrame placesFrame(const World& world, GroupId group,
+                                  const Result<std::vector<Vec2>>& places) {
     protocol::PlacesFrame frame;
-    frame.group = ask.group;
-    const Result<std::vector<Vec2>> places = ask.formation ? standOf(world, ask)
-                                                           : Result<std::vector<Vec2>>(given(ask));
+    frame.group = group.value;
     if (!places.ok()) {
         frame.problem = places.status().message();
         return frame;
@@ -68,12 +69,10 @@ protocol::PlacesFrame answer(const World& world, const protocol::PlacesAsk& ask)
         frame.places.push_back(static_cast<float>(p.x));
         frame.places.push_back(static_cast<float>(p.y));
     }
-    for (const Standing bar : barsOf(world, GroupId{ask.group}, places.value()))
+    for (const Standing bar : barsOf(world, group, places.value()))
         frame.unfit.push_back(static_cast<std::uint8_t>(bar));
     return frame;
 }
-
-}  // namespace
 
 Result<protocol::Places> answerPlaces(const World& world, const protocol::AskPlaces& message,
                                       const SessionLimits& limits) {
@@ -85,7 +84,10 @@ Result<protocol::Places> answerPlaces(const World& world, const protocol::AskPla
     answers.number = message.number;
     for (const protocol::PlacesAsk& ask : message.asks) {
         if (Status status = check(ask, limits); !status.ok()) return status;
-        if (isGroup(world, ask.group)) answers.answers.push_back(answer(world, ask));
+        if (!isGroup(world, ask.group)) continue;
+        answers.answers.push_back(
+            placesFrame(world, GroupId{ask.group},
+                        ask.formation ? standOf(world, ask) : Result<std::vector<Vec2>>(given(ask))));
     }
     return answers;
 }

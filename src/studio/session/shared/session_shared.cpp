@@ -76,7 +76,7 @@ Status Session::Impl::askOthers(SessionClient& client, const protocol::AskOthers
     std::set<std::uint32_t> others;
     for (const auto& [id, other] : clients)
         if (other.greeted && id != client.id) others.insert(id);
-    ask.begin(client.id, request, others, realTime);
+    ask.begin(client.id, others, realTime);
     for (const std::uint32_t id : others)
         clients.at(id).outbox.push_back(protocol::encode(
             protocol::Ask{ask.number(), client.number, request, static_cast<float>(WorldAsk::kSeconds)}));
@@ -117,6 +117,12 @@ std::uint32_t Session::Impl::numberOf(std::uint32_t id) const {
     return found == clients.end() ? 0 : found->second.number;
 }
 
+SessionClient* Session::Impl::clientOf(std::uint32_t number) {
+    const auto found = std::find_if(clients.begin(), clients.end(),
+                                    [&](const auto& entry) { return entry.second.number == number; });
+    return found == clients.end() ? nullptr : &found->second;
+}
+
 std::uint32_t Session::Impl::idOf(std::uint32_t number) const {
     for (const auto& [id, client] : clients)
         if (client.greeted && client.number == number) return id;
@@ -127,7 +133,7 @@ std::uint32_t Session::Impl::idOf(std::uint32_t number) const {
 
 Status Session::Impl::beginFor(std::uint32_t id, protocol::WorldChange change,
                                const std::function<Status()>& work) {
-    leaving = Leaving{id, change, recordedFrom >= 0.0};
+    leaving = Leaving{recordedFrom >= 0.0};
     const Status status = work();
     leaving.reset();
     if (!status.ok()) return status;
@@ -141,10 +147,9 @@ Status Session::Impl::beginFor(std::uint32_t id, protocol::WorldChange change,
 // Fingers let go: the pages forget them with the world that they see.
 void Session::Impl::park() {
     parked.reset();
-    if (!leaving || !world || greetedClients() < 2) return;
+    if (!world || greetedClients() < 2) return;
     ParkedWorld kept;
     kept.name = name;
-    kept.title = worldDef.name;
     kept.def = worldDef;
     kept.playing = playing || shared.goesOn;
     kept.speed = speed;
@@ -181,16 +186,16 @@ void Session::Impl::park() {
 
 Status Session::Impl::goBack(std::uint32_t id) {
     if (!parked) return {StatusCode::NotFound, "there is no world to go back to"};
-    const auto back = std::make_shared<ParkedWorld>(std::move(*parked));
+    ParkedWorld back = std::move(*parked);
     return beginFor(id, protocol::WorldChange::WentBack, [&] {
-        if (!back->takenBytes.empty()) return reopen(*back);
-        bringBack(*back);
+        if (!back.takenBytes.empty()) return reopen(back);
+        bringBack(back);
         return Status();
     });
 }
 
 Status Session::Impl::reopen(const ParkedWorld& back) {
-    if (Status s = openTake(back.takenBytes, back.title, back.takeName); !s.ok()) return s;
+    if (Status s = openTake(back.takenBytes, back.def.name, back.takeName); !s.ok()) return s;
     player->edit(back.takeAbout, back.takeLoops);
     player->want(back.takeStep);
     playing = back.playing && shared.builders.empty();
@@ -238,7 +243,7 @@ void Session::Impl::sendShared(SessionClient& client) {
     message.change = shared.change;
     message.changedBy = numberOf(shared.changedBy);
     message.changer = shared.changer;
-    message.before = parked ? parked->title : std::string();
+    message.before = parked ? parked->def.name : std::string();
     client.outbox.push_back(protocol::encode(message));
 }
 

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -32,15 +31,12 @@ struct SharedWorld {
 
 /// A director is about to begin another world.
 struct Leaving {
-    std::uint32_t client = 0;  ///< Id; 0 for somebody.
-    protocol::WorldChange change = protocol::WorldChange::None;
     bool recording = false;  ///< The world that is left is being recorded.
 };
 
 /// A world that was replaced, as it was.
 struct ParkedWorld {
     std::string name;
-    std::string title;
     WorldDef def;
     bool playing = true;
     double speed = 1.0;

@@ -4,10 +4,9 @@
 
 namespace muster {
 
-void WorldAsk::begin(std::uint32_t asker, std::string request, std::set<std::uint32_t> others, double now) {
+void WorldAsk::begin(std::uint32_t asker, std::set<std::uint32_t> others, double now) {
     asker_ = asker;
     minds_ = 0;
-    request_ = std::move(request);
     ++number_;
     due_ = now + kSeconds;
     silent_ = std::move(others);

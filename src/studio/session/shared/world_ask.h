@@ -4,11 +4,10 @@
 #include <cstdint>
 #include <optional>
 #include <set>
-#include <string>
 
 namespace muster {
 
-/// At most one question is open. Who does not answer in time agrees. Directors are numbers of clients.
+/// At most one question is open. Who does not answer in time agrees. Directors are ids of clients.
 class WorldAsk {
 public:
     static constexpr double kSeconds = 15.0;  ///< So long an answer is waited for [s].
@@ -20,7 +19,7 @@ public:
     };
 
     /// A question to all of `others`; none may be open.
-    void begin(std::uint32_t asker, std::string request, std::set<std::uint32_t> others, double now);
+    void begin(std::uint32_t asker, std::set<std::uint32_t> others, double now);
     /// An answer; one to another question, or of somebody who is not asked, counts for nothing.
     void answer(std::uint32_t client, std::uint32_t number, bool allows);
     /// Somebody has left: nobody waits for them, and what they asked ends.
@@ -30,19 +29,15 @@ public:
     /// The end of the question that is open, once: everybody allows it, somebody minds, or time is over.
     std::optional<End> end(double now);
 
-    bool open() const { return asker_ != 0; }                ///< A question waits for answers.
-    std::uint32_t asker() const { return asker_; }           ///< Who asks; 0 for nobody.
-    const std::string& request() const { return request_; }  ///< What is asked for.
-    std::uint32_t number() const { return number_; }         ///< Rises with each question.
-    double due() const { return due_; }                      ///< When time is over [s].
-    bool waitsFor(std::uint32_t client) const { return silent_.contains(client); }  ///< An answer is missing.
+    bool open() const { return asker_ != 0; }         ///< A question waits for answers.
+    std::uint32_t asker() const { return asker_; }    ///< Who asks; 0 for nobody.
+    std::uint32_t number() const { return number_; }  ///< Rises with each question.
 
 private:
     std::uint32_t asker_ = 0;
     std::uint32_t minds_ = 0;
-    std::string request_;
     std::uint32_t number_ = 0;
-    double due_ = 0.0;
+    double due_ = 0.0;                // When time is over [s].
     std::set<std::uint32_t> silent_;  // Who has not answered.
 };
 

@@ -109,16 +109,14 @@ Status Session::Impl::carryOut(SessionClient& client, Understood understood, con
 void Session::Impl::submitSpoken() {
     std::vector<SpokenRest> rests = std::exchange(spoken, {});
     for (SpokenRest& rest : rests) {
-        const auto found = std::find_if(clients.begin(), clients.end(), [&](const auto& entry) {
-            return entry.second.number == rest.client;
-        });
-        if (found == clients.end()) continue;
+        SessionClient* const client = clientOf(rest.client);
+        if (client == nullptr) continue;
         std::vector<CommandBody> bodies = commandsOf(rest, *world);
         if (bodies.empty()) continue;
         editor.speaks(rest.sentence, rest.label);
-        const Status status = act(found->second, std::move(bodies));
+        const Status status = act(*client, std::move(bodies));
         editor.speaks(0, "");
-        if (!status.ok()) notice(found->second, protocol::NoticeLevel::Error, "Say", status.message());
+        if (!status.ok()) notice(*client, protocol::NoticeLevel::Error, "Say", status.message());
     }
 }
 

@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "base/maths.h"
-#include "engine/formation/shapes/make_formation.h"
 #include "engine/world/inspect.h"
 #include "engine/world/studio_access.h"
 #include "muster/views.h"
+#include "studio/session/inbox/answers.h"
 
 namespace muster {
 namespace {
@@ -35,22 +35,6 @@ Vec2 middleOf(const World& world, const std::vector<std::uint32_t>& ids) {
     return count > 0.0 ? sum / count : sum;
 }
 
-void put(std::vector<float>& points, Vec2 p) {
-    points.push_back(static_cast<float>(p.x));
-    points.push_back(static_cast<float>(p.y));
-}
-
-protocol::ForecastFrame forecastOf(const WordsPreview& preview, const OrderForecast& forecast) {
-    protocol::ForecastFrame frame;
-    frame.group = preview.group.value;
-    frame.arrives = forecast.arrives;
-    frame.seconds = static_cast<float>(forecast.seconds);
-    frame.x = static_cast<float>(forecast.end.x);
-    frame.y = static_cast<float>(forecast.end.y);
-    for (const Vec2 p : forecast.way) put(frame.way, p);
-    return frame;
-}
-
 /// Where the front is at the end of a way.
 Rotation frontAt(const Order& order, const OrderForecast& forecast, Rotation now) {
     if (order.facing) return {cosine(*order.facing), sine(*order.facing)};
@@ -58,25 +42,6 @@ Rotation frontAt(const Order& order, const OrderForecast& forecast, Rotation now
     const Vec2 last = forecast.way.back() - forecast.way[forecast.way.size() - 2];
     const Vec2 along = normalized(last, {now.c, now.s});
     return {along.x, along.y};
-}
-
-protocol::PlacesFrame placesOf(const WordsPreview& preview, const FormationDef& formation, std::int32_t count,
-                               const Pose& at, const World& world) {
-    protocol::PlacesFrame frame;
-    frame.group = preview.group.value;
-    const Result<Formation> made = makeFormation(formation, count);
-    if (!made.ok()) {
-        frame.problem = made.status().message();
-        return frame;
-    }
-    std::vector<Vec2> places;
-    for (const MeshPoint& place : made->places) {
-        places.push_back(at.apply(place.position(made->mesh.triangles, made->mesh.vertices)));
-        put(frame.places, places.back());
-    }
-    for (const Standing bar : barsOf(world, preview.group, places))
-        frame.unfit.push_back(static_cast<std::uint8_t>(bar));
-    return frame;
 }
 
 }  // namespace
@@ -101,14 +66,14 @@ void addPreviews(protocol::Said& said, const Understood& understood, const World
         const OrderForecast forecast = preview.ids.empty()
                                            ? world.forecast(preview.group, preview.order)
                                            : forecastFrom(world, preview.group, preview.order, from);
-        said.forecasts.push_back(forecastOf(preview, forecast));
+        said.forecasts.push_back(forecastFrame(preview.group, forecast));
         if (preview.order.kind != OrderKind::Move) continue;
         const auto count = static_cast<std::int32_t>(preview.ids.empty() ? view.members.size()
                                                                          : preview.ids.size());
         const FormationDef& formation = preview.order.formation ? *preview.order.formation
                                                                 : inspect::ownFormation(world, *g);
         const Pose at{forecast.end, frontAt(preview.order, forecast, view.pose.rotation)};
-        said.places.push_back(placesOf(preview, formation, count, at, world));
+        said.places.push_back(placesFrame(world, preview.group, placesAt(formation, count, at)));
     }
 }
 

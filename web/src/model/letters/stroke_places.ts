@@ -1,6 +1,6 @@
 // People along lines: on every end and corner, and evenly between them.
 
-import { distance, type GroundPoint } from '../plane';
+import { distance, type GroundPoint, lengthOf } from '../plane';
 import type { Stroke } from './stroke_font';
 
 /** A line between two places that are taken in any case. */
@@ -17,10 +17,6 @@ export interface LinePlaces {
 }
 
 const keyOf = ({ x, y }: GroundPoint): string => `${Math.round(x * 1e4)} ${Math.round(y * 1e4)}`;
-
-function lengthOf(points: readonly GroundPoint[]): number {
-  return points.slice(1).reduce((sum, point, i) => sum + distance(points[i]!, point), 0);
-}
 
 /** The point of a line so far along it. */
 function pointAlong(points: readonly GroundPoint[], away: number): GroundPoint {
@@ -80,15 +76,13 @@ const kMoreTries = 40;
 
 /** Like placesAlong, for lines that cross or touch: nobody stands much nearer to another than the gap. */
 export function placesApart(strokes: readonly Stroke[], count: number): LinePlaces | null {
-  let best: LinePlaces | null = null;
   for (let more = 0; more < kMoreTries; ++more) {
     const set = placesAlong(strokes, count + more);
     if (!set) continue;
     const kept: GroundPoint[] = [];
     for (const place of set.places)
       if (kept.every((other) => distance(other, place) >= kApart * set.gap)) kept.push(place);
-    if (kept.length >= count) best = { places: kept.slice(0, count), gap: set.gap };
-    if (best) break;
+    if (kept.length >= count) return { places: kept.slice(0, count), gap: set.gap };
   }
-  return best ?? placesAlong(strokes, count);
+  return placesAlong(strokes, count);
 }

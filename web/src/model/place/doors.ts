@@ -3,7 +3,7 @@
 import type { Vec2 } from '../../protocol/generated/commands';
 import { turn, type GroundPoint } from '../plane';
 import { reachAlong } from './frame';
-import type { Thing } from './things';
+import { middle as middleOf, type Thing } from './things';
 
 /** Shorter pieces are left out [m]. */
 const kLeast = 0.05;
@@ -49,9 +49,4 @@ export function withDoor(wall: Thing, at: GroundPoint, width: number): readonly 
   return pieces
     .filter((piece) => piece.length > 2 && reachAlong(piece, [ux, uy]).reduce((a, b) => b - a) >= kLeast)
     .map((piece, k) => ({ ...wall, id: k === 0 ? wall.id : 0, polygon: piece, centre: middleOf(piece) }));
-}
-
-function middleOf(polygon: readonly Vec2[]): Vec2 {
-  const sum = polygon.reduce(([x, y], p) => [x + p[0], y + p[1]] as const, [0, 0] as Vec2);
-  return [sum[0] / polygon.length, sum[1] / polygon.length];
 }

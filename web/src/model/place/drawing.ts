@@ -5,8 +5,8 @@ import type { Vec2 } from '../../protocol/generated/commands';
 import { formationKind } from '../sequence';
 import { distance, type GroundPoint } from '../plane';
 import { gated, kNever } from './gates';
-import { depthFor, kClimbed, kJumped, motionOf, type PlaceClip } from './motions';
-import { groupRadius, thing, type Thing } from './things';
+import { depthFor, kAreas, kClimbed, kJumped, kNames, motionOf, type PlaceClip } from './motions';
+import { groupRadius, middle, thing, type Thing } from './things';
 
 export const kBuildTools = [
   'select',
@@ -88,16 +88,15 @@ export const kDrawingOptions: DrawingOptions = {
 const kPress = 0.3;
 /** Of what is pressed, not drawn [m]. */
 const kPressed = { box: 1, disc: 0.5, checkpoint: 2, item: 0.5 };
-const kAreaNames = { exit: 'Exit', source: 'Source', waiting: 'Waiting area' };
-/** Ground that is drawn from corner to corner: its motion and its name. */
-const kGrounds = { water: ['swim', 'Water'], net: ['crawl', 'Net'], branches: ['duck', 'Branches'] } as const;
+/** Ground that is drawn from corner to corner: its motion. */
+const kGrounds = { water: 'swim', net: 'crawl', branches: 'duck' } as const;
 /** Of hedges that nobody jumps, and of gates [m]. */
 const kHedgeWidth = 0.6;
 const kGate = { width: 0.2, height: 2 };
 
 /** The motion that a tool makes ground of; empty for none. */
 export function motionOfTool(tool: BuildTool, { height, hedgeHeight }: DrawingOptions): string {
-  if (tool === 'water' || tool === 'net' || tool === 'branches') return kGrounds[tool][0];
+  if (tool === 'water' || tool === 'net' || tool === 'branches') return kGrounds[tool];
   if (tool === 'stairs') return 'walk';
   if (tool === 'hedge') return hedgeHeight <= kJumped.most ? 'jump' : '';
   return tool === 'wall' && height <= kClimbed.most ? 'climb' : '';
@@ -141,7 +140,7 @@ function round(a: GroundPoint, b: GroundPoint, pressed: number): { centre: Vec2;
 type Maker = (a: GroundPoint, b: GroundPoint, options: DrawingOptions, tool: BuildTool) => Thing | null;
 
 const ground: Maker = (a, b, options, tool) =>
-  groundThing(boxOf(a, b), kGrounds[tool as keyof typeof kGrounds][1], tool, options);
+  groundThing(boxOf(a, b), kNames[kGrounds[tool as keyof typeof kGrounds]], tool, options);
 const area: Maker = (a, b, options, tool) => areaThing(tool as AreaKindWord, boxOf(a, b), options);
 const formationOf = ({ formation, spacing }: DrawingOptions): Thing['formation'] => ({
   kind: formationKind(formation),
@@ -180,7 +179,7 @@ export function drawn(tool: BuildTool, a: GroundPoint, b: GroundPoint, options: 
 /** Ground on which people do what its motion says; null where the place has no such motion. */
 function groundThing(polygon: readonly Vec2[], name: string, tool: BuildTool, options: DrawingOptions): Thing | null {
   const motion = motionOf(options.clips, motionOfTool(tool, options));
-  return motion < 0 ? null : thing('patch', { name, polygon, centre: centreOf(polygon), motion });
+  return motion < 0 ? null : thing('patch', { name, polygon, centre: middle(polygon), motion });
 }
 
 /** What stands along the line, across the way of people; null for a press. */
@@ -206,22 +205,17 @@ function stairsThing(a: GroundPoint, b: GroundPoint, options: DrawingOptions): T
   const ascent = Math.atan2(b.y - a.y, b.x - a.x);
   const rest = { speed: options.speedUp, speedDown: options.speedDown };
   const motion = Math.max(0, motionOf(options.clips, 'walk'));
-  return polygon && thing('patch', { name: 'Stairs', polygon, centre: centreOf(polygon), motion, ascent, rest });
+  return polygon && thing('patch', { name: 'Stairs', polygon, centre: middle(polygon), motion, ascent, rest });
 }
 
 function areaThing(kind: AreaKindWord, polygon: readonly Vec2[], options: DrawingOptions): Thing {
   const rate = { exit: options.exitRate, source: options.sourceRate, waiting: 0 }[kind];
   const area = { kind, open: true, rate, queue: [] };
   const group = kind === 'source' ? options.sourceGroup : 0;
-  return thing('area', { name: kAreaNames[kind], polygon, centre: centreOf(polygon), area, group });
-}
-
-function centreOf(polygon: readonly Vec2[]): Vec2 {
-  const sum = polygon.reduce(([x, y], p) => [x + p[0], y + p[1]] as const, [0, 0] as Vec2);
-  return [sum[0] / polygon.length, sum[1] / polygon.length];
+  return thing('area', { name: kAreas[kind], polygon, centre: middle(polygon), area, group });
 }
 
 /** An obstacle with these corners; null for fewer than three. */
 export function polygonThing(polygon: readonly Vec2[], height: number): Thing | null {
-  return polygon.length < 3 ? null : thing('obstacle', { polygon, centre: centreOf(polygon), height });
+  return polygon.length < 3 ? null : thing('obstacle', { polygon, centre: middle(polygon), height });
 }

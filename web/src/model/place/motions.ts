@@ -35,13 +35,14 @@ const kWords: Readonly<Record<string, string>> = {
 };
 export const kGoRound = 'Go round';
 
-const kNames: Readonly<Record<string, string>> = {
+/** What ground with a motion is called. */
+export const kNames = {
   swim: 'Water',
   crawl: 'Net',
   jump: 'Hedge',
   climb: 'Low wall',
   duck: 'Branches',
-};
+} as const;
 
 export function motionWord(clip: string): string {
   return kWords[clip] ?? clip.charAt(0).toUpperCase() + clip.slice(1);
@@ -61,14 +62,14 @@ function nameOfObstacle(one: Thing): string {
 }
 
 const kOthers = { item: 'Item', checkpoint: 'Checkpoint', group: 'People' };
-const kAreas = { exit: 'Exit', source: 'Source', waiting: 'Waiting area' };
+export const kAreas = { exit: 'Exit', source: 'Source', waiting: 'Waiting area' };
 
 /** What a thing is. */
 export function kindName(one: Thing, clips: readonly PlaceClip[]): string {
   if (one.area) return kAreas[one.area.kind];
   if (one.kind === 'obstacle') return nameOfObstacle(one);
   if (one.kind !== 'patch') return kOthers[one.kind as keyof typeof kOthers];
-  return one.ascent !== null ? 'Stairs' : (kNames[clips[one.motion]?.name ?? ''] ?? 'Ground');
+  return one.ascent !== null ? 'Stairs' : (kNames[clips[one.motion]?.name as keyof typeof kNames] ?? 'Ground');
 }
 
 /** The direction in which it is least across, and how far. */

@@ -113,8 +113,8 @@ export function routed(one: Thing, line: readonly GroundPoint[], speed: number, 
   const closes = distance(first, kept[kept.length - 1]!) < 3 * kRouteStep && kept.length > 6;
   const there = closes ? [...kept.slice(0, -1), first] : kept;
   const turns = steers ? turnsAlong(there) : there.map(() => 0);
-  const back = closes ? [] : there.map((p, k) => [p, turns[k]!] as const).reverse();
-  const way = [...there.map((p, k) => [p, turns[k]!] as const), ...back.slice(1)];
+  const out = there.map((p, k) => [p, turns[k]!] as const);
+  const way = closes ? out : [...out, ...[...out].reverse().slice(1)];
   let time = 0;
   const waypoints = way.map(([p, angle], k) => {
     if (k > 0) time += distance(p, way[k - 1]![0]) / Math.max(0.05, speed);

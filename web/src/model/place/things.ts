@@ -96,7 +96,7 @@ export function thing(kind: ThingKind, fields: Partial<Thing>): Thing {
 }
 
 /** The mean of the corners. */
-function middle(polygon: readonly Vec2[]): Vec2 {
+export function middle(polygon: readonly Vec2[]): Vec2 {
   const sum = polygon.reduce(([x, y], p) => [x + p[0], y + p[1]] as const, [0, 0] as Vec2);
   return [sum[0] / Math.max(1, polygon.length), sum[1] / Math.max(1, polygon.length)];
 }

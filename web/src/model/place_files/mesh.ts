@@ -49,7 +49,3 @@ export function likelyUp(meshes: readonly ModelMesh[]): UpAxis {
   const { min, max } = extentOf(meshes);
   return max[1] - min[1] > max[2] - min[2] ? 'z' : 'y';
 }
-
-export function triangleCount(meshes: readonly ModelMesh[]): number {
-  return meshes.reduce((sum, { triangles }) => sum + triangles.length / 3, 0);
-}

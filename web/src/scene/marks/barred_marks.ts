@@ -31,6 +31,7 @@ const kRing = 0.4;
 const kNear = 0.3;
 
 export function barredPicture(barred: readonly BarredPerson[], crowd: CrowdPlaces): BarredPicture[] {
+  if (barred.length === 0) return [];
   const places = new Map(barred.map(({ id, place }) => [id, place]));
   const picture: BarredPicture[] = [];
   for (let i = 0; i < crowd.ids.length; ++i) {

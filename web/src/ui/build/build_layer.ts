@@ -112,14 +112,6 @@ export class BuildLayer {
     }));
   }
 
-  get gaps(): number {
-    return this.gaps_.length;
-  }
-
-  get unreached(): number {
-    return this.runs_.length;
-  }
-
   /** Call before every picture: only what has changed is made anew. */
   draw(picture: BuildPicture): void {
     const before = this.shown_;

@@ -45,11 +45,6 @@ export class StandPreview {
     this.asker_ = new PlaceAsker(host_.client);
   }
 
-  /** True where a formation is shown. */
-  get shows(): boolean {
-    return this.wanted_ !== null;
-  }
-
   observe(frame: StudioFrame): void {
     this.frame_ = frame;
     const { wanted_: wanted, asked_: asked } = this;

@@ -4,7 +4,7 @@ import { cleanSvg } from '../../model/letters/clean_svg';
 import type { Stroke } from '../../model/letters/stroke_font';
 import { leastDistance, placesApart } from '../../model/letters/stroke_places';
 import { maskOfPixels, readSize } from '../../model/picture_mask';
-import { distance, type GroundPoint } from '../../model/plane';
+import { distance, type GroundPoint, lengthOf } from '../../model/plane';
 import { spreadOver, type Mask } from '../../model/spread';
 import { element } from '../widgets/dom';
 
@@ -134,10 +134,7 @@ async function placesOf(svg: Element, strokes: readonly Stroke[], count: number)
   const [width, height] = ['width', 'height'].map((name) => Number(svg.getAttribute(name))) as [number, number];
   const mask = await areasOf(svg, width, height);
   const area = Array.from(mask.cells).reduce((sum, cell) => sum + cell, 0);
-  const length = strokes.reduce(
-    (sum, { points }) => sum + points.slice(1).reduce((all, point, i) => all + distance(points[i]!, point), 0),
-    0,
-  );
+  const length = strokes.reduce((sum, { points }) => sum + lengthOf(points), 0);
   const { onLines, gap } = shared(length, area, count);
   const lines = onLines > 0 ? placesApart(strokes, onLines) : { places: [], gap };
   if (!lines) return null;

@@ -4,6 +4,7 @@ import type { KeptPlace } from '../../model/place_files/kept_place';
 import type { PlaceDefinition } from '../../model/place_files/place';
 import type { PlaceLink } from './place_link';
 import type { PlaceShelf } from './place_shelf';
+import { readSetting, writeSetting } from '../widgets/theme';
 
 /** So long after the last change [ms]. */
 export const kAutosaveAfter = 2000;
@@ -25,27 +26,15 @@ export interface AutosaveParts {
 const kHereKey = 'muster.place';
 
 export function placeBefore(storage: () => Storage = () => window.localStorage): string {
-  try {
-    return storage().getItem(kHereKey) ?? '';
-  } catch {
-    return '';
-  }
+  return readSetting(storage, kHereKey) ?? '';
 }
 
 export function rememberPlace(title: string, storage: () => Storage = () => window.localStorage): void {
-  try {
-    storage().setItem(kHereKey, title);
-  } catch {
-    // Without storage the newest copy is offered.
-  }
+  writeSetting(storage, kHereKey, title);
 }
 
 export function hasAutosave(storage: () => Storage = () => window.localStorage): boolean {
-  try {
-    return storage().getItem(kKeptKey) !== null;
-  } catch {
-    return false;
-  }
+  return readSetting(storage, kKeptKey) !== null;
 }
 
 export class PlaceAutosave {
@@ -138,18 +127,10 @@ export class PlaceAutosave {
   }
 
   private read(key: string): string {
-    try {
-      return this.storage_().getItem(key) ?? '';
-    } catch {
-      return '';
-    }
+    return readSetting(this.storage_, key) ?? '';
   }
 
   private write(key: string, value: string): void {
-    try {
-      this.storage_().setItem(key, value);
-    } catch {
-      // Without storage it is offered again.
-    }
+    writeSetting(this.storage_, key, value);
   }
 }

@@ -5,6 +5,7 @@ import type { VNode } from 'preact';
 import { formatCount, formatFigure, formatMs } from '../../model/formatters';
 import { kObjectives, objectiveFigure, objectiveOf, objectivesFor, objectiveText } from '../../model/objective';
 import { plainWords } from '../../model/plain_words';
+import { standingSum } from '../../model/standing';
 import type { StudioActions } from '../../model/studio_actions';
 import type { StudioState } from '../../model/studio_state';
 import type { StudioStore } from '../../model/studio_store';
@@ -112,15 +113,16 @@ export class Readout {
     drawPanel(this.root, store, ['parameters', 'frames', 'figures'], (state) => {
       this.root.classList.toggle('open', state.figures);
       this.observe(state);
+      const { barred } = standingSum(state.standings);
       const { stepMs, lag, swaps, walks } = this.shown_ ?? state;
       return (
         <>
           <Words state={state} actions={actions} />
-          {plainWords(state).barred !== '' && (
+          {barred !== '' && (
             <button
               type="button"
               class="soft plain-show"
-              data-tip={`${plainWords(state).barred}: shows them`}
+              data-tip={`${barred}: shows them`}
               onClick={() => actions.showBarred()}
             >
               Show

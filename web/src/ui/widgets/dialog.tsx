@@ -30,6 +30,12 @@ export class Dialog extends Component<DialogProps> {
     if (this.root_) this.props.close();
   };
 
+  /** The browser tells the end of a dialog later, when it may have been opened once more: so Escape ends it here. */
+  private readonly cancelled = (event: Event): void => {
+    event.preventDefault();
+    this.closed();
+  };
+
   override render({ title, submit, children }: DialogProps): VNode {
     const id = `dialog-${title.toLowerCase().replace(/\W+/g, '-')}`;
     return (
@@ -38,11 +44,12 @@ export class Dialog extends Component<DialogProps> {
         aria-labelledby={id}
         ref={(made) => void (made && (this.root_ = made))}
         onClose={this.closed}
-        onClick={({ target }) => target === this.root_ && this.root_?.close()}
+        onCancel={this.cancelled}
+        onClick={({ target }) => target === this.root_ && this.closed()}
       >
         <header>
           <h2 id={id}>{title}</h2>
-          <button type="button" aria-label="Close" onClick={() => this.root_?.close()}>
+          <button type="button" aria-label="Close" onClick={this.closed}>
             <Icon name="close" />
           </button>
         </header>
@@ -51,7 +58,7 @@ export class Dialog extends Component<DialogProps> {
           class="shape-form"
           onSubmit={(event) => {
             event.preventDefault();
-            if (submit()) this.root_?.close();
+            if (submit()) this.closed();
           }}
         >
           {children}

@@ -58,13 +58,17 @@ export class PanelLayout {
   show(layout: Layout): void {
     if (layout === this.layout_) return;
     this.layout_ = layout;
-    const focused = document.activeElement;
     this.place();
-    // Who is moved about loses the focus.
-    if (focused instanceof HTMLElement && focused !== document.activeElement) focused.focus({ preventScroll: true });
   }
 
   private place(): void {
+    const focused = document.activeElement;
+    this.move();
+    // Who is moved about loses the focus, also where only a neighbour comes.
+    if (focused instanceof HTMLElement && focused !== document.activeElement) focused.focus({ preventScroll: true });
+  }
+
+  private move(): void {
     const places = kPlaces[this.layout_];
     const shown = new Set<HTMLElement>();
     for (const [name, panels] of Object.entries(places) as [Area, readonly PanelName[]][]) {

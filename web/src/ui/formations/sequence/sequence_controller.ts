@@ -1,5 +1,6 @@
 // The formations that the active group takes up along its way: edits of its queue, and how it would stand at each.
 
+import { lengthOf } from '../../../model/plane';
 import { PanelLayout } from '../../widgets/panel_layout';
 import { PlaybackAction, type PlacesFrame } from '../../../protocol/messages';
 import type { Vec2 } from '../../../protocol/generated/commands';
@@ -9,7 +10,6 @@ import {
   alongWay,
   arranged,
   formationKind,
-  lengthOf,
   plainLegs,
   stationsOf,
   withStations,
