@@ -1,5 +1,6 @@
 #include "assistant.h"
 
+#include <cmath>
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -74,7 +75,7 @@ std::string failure(const Json& id, int code, const std::string& message) {
 }
 
 std::string timeText(float value) {
-    return value < 1e6f ? std::to_string(static_cast<int>(value + 0.5f)) + " s" : "no time that is known";
+    return value < 1e6f ? std::to_string(std::lround(value)) + " s" : "no time that is known";
 }
 
 /// What a preview tells of ways and places.
