@@ -276,6 +276,7 @@ const kCases = [
     ['desktop', 'phone'],
     { touch: false, scenario: 'scenarios/open.json' },
   ],
+  ['places: the crowd of a shared one', placeShare.crowdOfAShared, ['tablet'], { scenario: 'scenarios/fountain.json' }],
   [
     'place files: shared by network',
     placeShare.sharedByNetwork,

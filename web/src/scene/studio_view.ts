@@ -104,6 +104,11 @@ export class StudioView implements StudioScene {
   get fieldScale(): FieldScale | null {
     return this.overlay_.scale;
   }
+  /** A scene that looks like the one before: its world may have begun again. */
+  keepScene(scene: SceneFacts): void {
+    this.scene_ = scene;
+  }
+
   setScene(scene: SceneFacts): void {
     const anew = !this.scene_ || !isSameWorld(this.scene_, scene);
     this.scene_ = scene;

@@ -314,8 +314,8 @@ export class StudioApp {
       const before = this.scene_;
       // A scene comes again when only a parameter or a count changed: nothing looks different then.
       this.view_.orders.setGroups(scene.groups);
-      if (before && sceneKey(before) === sceneKey(scene)) return;
       this.scene_ = scene;
+      if (before && sceneKey(before) === sceneKey(scene)) return this.view_.keepScene(scene);
       const opens = !before || !isSameWorld(before, scene);
       if (opens) this.forgetWorld();
       this.view_.setScene(scene);

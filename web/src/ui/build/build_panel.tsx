@@ -197,6 +197,7 @@ export class BuildPanel {
     window.clearTimeout(this.soon_);
     this.soon_ = 0;
     this.shown_ = { ...this.shown_, ...change };
+    this.root.toggleAttribute('data-chosen', this.shown_.chosen.length > 0);
     render(this.content(), this.root);
   }
 

@@ -35,7 +35,9 @@ export class WordsLine {
     this.root.hidden = !open;
     this.active_ = -1;
     this.draw();
-    if (open) this.field_?.focus({ preventScroll: true });
+    if (!open) return;
+    this.field_?.focus({ preventScroll: true });
+    this.field_?.select();
   }
 
   /** What the sentence would do. */

@@ -115,6 +115,7 @@ export class TakeController implements TakeActions {
       this.shelfPanel_.setOpen(shelf);
       if (shelf) void this.refresh();
     });
+    store.watch(['title'], () => this.take_ && this.line_.setTake(this.take_, this.titleOf(this.take_)));
     store.watch(['theme'], () => requestAnimationFrame(() => this.line_.track.drawMarks()));
   }
 
@@ -203,6 +204,9 @@ export class TakeController implements TakeActions {
 
   leaveTake(): void {
     const { client, store } = this.parts_;
+    const beneath = this.take_?.beneath ?? '';
+    const back = (): void => client.send({ type: 'Playback', action: PlaybackAction.LeaveTake });
+    if (beneath !== '') return void whenAllowed(store, openingOf(beneath), back);
     const { name, title } = scenarioBehind(store.state) ?? { name: '', title: '' };
     if (name) whenAllowed(store, openingOf(title), () => client.send({ type: 'LoadScenario', name }));
   }

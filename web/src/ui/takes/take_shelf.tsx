@@ -149,7 +149,7 @@ export class TakeShelf {
           {!('copyOnly' in take) && (
             <>
               <ToolButton
-                icon="takes"
+                icon="export"
                 label={`Export ${title}`}
                 iconOnly
                 disabled={take.recording}

@@ -62,6 +62,7 @@ const kShapes = {
   show: '<path d="M3 12V5a2 2 0 0 1 2-2h10a2 2 0 0 1 2 2v7 M3 16.500h14" stroke-linejoin="round"/>',
   close: '<path d="m5 5 10 10 M15 5 5 15"/>',
   download: '<path d="M10 3v9.5 M6 9l4 4 4-4 M3.5 16.5h13"/>',
+  export: '<path d="M10 12V3.2 M6.200 7 10 3.200 13.800 7 M7 9.500H4v7h12v-7h-3"/>',
   open: '<path d="M2.8 15.8V4.8h5l1.8 2.2h7.6v8.8Z" stroke-linejoin="round"/>',
   character: '<circle cx="10" cy="5" r="2.7"/><path d="M4.5 17c.3-4.200 2-6.400 5.5-6.400s5.200 2.200 5.5 6.400"/>',
   rename:
