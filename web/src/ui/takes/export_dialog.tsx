@@ -228,8 +228,10 @@ export class ExportDialog {
   };
 
   private async askSize(): Promise<void> {
+    const { fields_: asked } = this;
     const size = await this.actions_.size(this.chosen);
-    if (size === null) return;
+    // What is said of an older choice is no longer true.
+    if (size === null || asked !== this.fields_) return;
     this.size_ = size;
     this.draw();
   }
