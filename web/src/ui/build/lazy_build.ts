@@ -9,8 +9,8 @@ export function openBuildLazily(parts: BuildParts): void {
   const { store, client } = parts;
   let scene: Scene | null = null;
   const panel = openLazily(store, 'build', async () => {
-    const { BuildController } = await import('./build_controller');
-    const controller = new BuildController(parts);
+    const module = await import('./build_controller');
+    const controller = new module.BuildController(parts);
     if (scene) controller.setScene(scene);
     return controller;
   });

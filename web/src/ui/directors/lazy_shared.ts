@@ -13,8 +13,8 @@ export interface SharedParts {
 export function openSharedLazily(parts: SharedParts): void {
   const { client, store } = parts;
   const loaded = once(async () => {
-    const { SharedController } = await import('./shared_controller');
-    return new SharedController(parts);
+    const module = await import('./shared_controller');
+    return new module.SharedController(parts);
   });
   client.on('sharedWorld', (shared) => store.set({ shared }));
   client.on('ask', ({ number, client: by, request: wish, seconds }) =>

@@ -5,8 +5,8 @@ import type { SequenceParts } from './sequence/sequence_controller';
 
 export function openSequenceLazily(parts: SequenceParts): void {
   const load = async (): Promise<void> => {
-    const { SequenceController } = await import('./sequence/sequence_controller');
-    new SequenceController(parts);
+    const module = await import('./sequence/sequence_controller');
+    new module.SequenceController(parts);
   };
   loadWhen(parts.store, ['sequencing'], ({ sequencing }) => sequencing, load, { sequencing: false });
 }

@@ -14,8 +14,8 @@ export function openMeasuresLazily(parts: MeasureParts): void {
   store.watch(['build'], ({ build }) => build && store.set({ measures: false }));
   store.watch(['measures'], ({ measures }) => measures && store.set({ build: false }));
   const panel = openLazily(store, 'measures', async () => {
-    const { MeasureController } = await import('./measure_controller');
-    const controller = new MeasureController(parts);
+    const module = await import('./measure_controller');
+    const controller = new module.MeasureController(parts);
     if (scene) controller.setScene(scene);
     if (last) controller.observe(last, ids);
     return controller;

@@ -5,7 +5,7 @@ import type { WordsParts } from './words_controller';
 
 export function openWordsLazily(parts: WordsParts): void {
   openLazily(parts.store, 'words', async () => {
-    const { WordsController } = await import('./words_controller');
-    return new WordsController(parts);
+    const module = await import('./words_controller');
+    return new module.WordsController(parts);
   });
 }

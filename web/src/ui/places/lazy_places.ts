@@ -8,8 +8,8 @@ import { placesWithScenery } from './place_shelf';
 export function openPlacesLazily(parts: PlaceParts): void {
   const { store, client } = parts;
   const loaded = once(async () => {
-    const { PlaceController } = await import('./place_controller');
-    return new PlaceController(parts);
+    const module = await import('./place_controller');
+    return new module.PlaceController(parts);
   });
   const use = (act: (places: PlaceController) => unknown = () => undefined): void =>
     void loaded().then(act, () => couldNotLoad(store, { places: 'none' }));

@@ -9,12 +9,10 @@ let reaches = false;
 
 vi.mock('../../model/spot_words', () => ({ spotWords: () => '' }));
 vi.mock('../../tools/ground_cursor', () => ({
-  // A class that cannot be made stands for a file that did not come.
-  get GroundCursor() {
+  // One that cannot be made stands for a file that did not come.
+  GroundCursor: function () {
     if (!reaches) throw new Error('no server');
-    return class {
-      press = pressed;
-    };
+    return { press: pressed };
   },
 }));
 afterEach(() => vi.clearAllMocks());

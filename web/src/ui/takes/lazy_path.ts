@@ -10,8 +10,8 @@ export function openPathsLazily(parts: PathParts): void {
   let take: TakeState | null = null;
   const members: Members = { ids: new Uint32Array(), group: new Uint16Array() };
   const panel = openLazily(store, 'paths', async () => {
-    const { PathController } = await import('./path/path_controller');
-    const controller = new PathController(parts, members);
+    const module = await import('./path/path_controller');
+    const controller = new module.PathController(parts, members);
     if (take) controller.setTake(take);
     return controller;
   });

@@ -12,8 +12,8 @@ export function openTakesLazily(parts: TakeControllerParts, seen: Promise<void>)
   const { client, store } = parts;
   let take: TakeState | null = null;
   const load = async (): Promise<void> => {
-    const { TakeController } = await import('./take_controller');
-    const controller = new TakeController(parts);
+    const module = await import('./take_controller');
+    const controller = new module.TakeController(parts);
     if (take) controller.changed(take);
   };
   const wanted = ['shelf', 'recorded'] as const;
