@@ -6,6 +6,7 @@ import { gated, isOpenAt, kNever, pressedAt, type GateTimes } from '../../model/
 import { changedAt } from '../../model/place/routes';
 import type { AreaFields as Area, Thing } from '../../model/place/things';
 import type { Arrivals } from '../../protocol/generated/commands';
+import { Button } from '../widgets/buttons';
 import { BuildIcon } from '../widgets/build_icons';
 import { NumberField, SelectField } from '../widgets/fields';
 import type { BuildActions } from './build_actions';
@@ -124,11 +125,7 @@ export function AreaFields({ one, actions, area }: FieldsProps & { readonly area
         />
       )}
       {!isExit && <Timetable one={one} actions={actions} />}
-      {area.queue.length > 0 && (
-        <button type="button" class="soft" onClick={() => change('No queue', { queue: [] })}>
-          No queue
-        </button>
-      )}
+      {area.queue.length > 0 && <Button act={() => change('No queue', { queue: [] })}>No queue</Button>}
     </>
   );
 }
@@ -199,9 +196,7 @@ function Timetable({ one, actions }: FieldsProps): VNode {
     <div class="build-timetable">
       <h4>Timetable</h4>
       {arrivalsOf(one).map(row)}
-      <button type="button" class="soft" onClick={add}>
-        Add an arrival
-      </button>
+      <Button act={add}>Add an arrival</Button>
     </div>
   );
 }
@@ -267,9 +262,9 @@ export function GateFields({ times, actions }: Omit<GateFieldsProps, 'act'>): VN
   return (
     <>
       <GateTimeFields times={times} actions={actions} act={(to) => set('Times', to)} />
-      <button type="button" class="soft" onClick={() => set(isOpen ? 'Shut' : 'Open', pressedAt(times, time))}>
+      <Button act={() => set(isOpen ? 'Shut' : 'Open', pressedAt(times, time))}>
         {isOpen ? 'Shut now' : 'Open now'}
-      </button>
+      </Button>
     </>
   );
 }

@@ -7,6 +7,7 @@ import { kClimbed, kGoRound, kindName, kJumped, motionWord, withMotion } from '.
 import { changedAt } from '../../model/place/routes';
 import { moved, turned, type Thing } from '../../model/place/things';
 import { formationKind, type FormationWords } from '../../model/sequence';
+import { Button } from '../widgets/buttons';
 import { NumberField, SelectField, TextField } from '../widgets/fields';
 import { AreaFields, GateFields, StairsFields, type FieldsProps } from './area_fields';
 import { kShapes, type BuildActions } from './build_actions';
@@ -189,9 +190,7 @@ function OneFields({ one, actions }: FieldsProps): VNode {
       {place('X', 0)}
       {place('Y', 1)}
       {one.path && !gate && (
-        <button type="button" class="soft" onClick={() => actions.edit('Stand still', (it) => ({ ...it, path: null }))}>
-          Stand still
-        </button>
+        <Button act={() => actions.edit('Stand still', (it) => ({ ...it, path: null }))}>Stand still</Button>
       )}
     </>
   );

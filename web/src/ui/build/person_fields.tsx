@@ -15,6 +15,7 @@ import {
   type Spreading,
 } from '../../model/place/people';
 import type { Thing } from '../../model/place/things';
+import { Button } from '../widgets/buttons';
 import { NumberField, SelectField, TextField } from '../widgets/fields';
 import type { BuildActions } from './build_actions';
 
@@ -129,16 +130,14 @@ export class PersonFields extends Component<{ readonly one: Thing; readonly acti
         {kDrawnNumbers.map((of) => (
           <SpreadFields key={of} of={of} sort={() => this.now[k] ?? sort} prefix={prefix} change={change} />
         ))}
-        <button
-          type="button"
-          class="soft"
-          onClick={() => {
+        <Button
+          act={() => {
             this.unfolded_.clear();
             this.give(this.now.filter((_, n) => n !== k));
           }}
         >
           Remove this sort
-        </button>
+        </Button>
       </details>
     );
   }
@@ -195,17 +194,15 @@ export class PersonFields extends Component<{ readonly one: Thing; readonly acti
         />
         {word === kOwn && sorts.map((sort, k) => this.sort(sort, k, all))}
         {word === kOwn && (
-          <button
-            type="button"
-            class="soft"
-            onClick={() => {
+          <Button
+            act={() => {
               const { now } = this;
               this.unfolded_.add(now.length);
               this.give([...now, { ...kAdults, name: `Sort ${now.length + 1}` }]);
             }}
           >
             Add a sort
-          </button>
+          </Button>
         )}
       </div>
     );

@@ -4,7 +4,8 @@ import { render, type VNode } from 'preact';
 import { othersOf, type Consent } from '../../model/consent';
 import { namesOf, sharedNews } from '../../model/shared_news';
 import { PlaybackAction } from '../../protocol/messages';
-import { Icon } from '../widgets/buttons';
+import { Banner } from '../widgets/banner';
+import { Button, Icon } from '../widgets/buttons';
 import { element } from '../widgets/dom';
 import type { SharedParts } from './lazy_shared';
 import '../styles/shared.css';
@@ -87,12 +88,10 @@ export class SharedController {
             <span class="secondary" aria-hidden="true">{`Without an answer it is done in ${left} s.`}</span>
           </div>
           <div class="banner-buttons">
-            <button type="button" class="soft" onClick={() => this.reply(false)}>
-              Not now
-            </button>
-            <button type="button" class="solid" onClick={() => this.reply(true)}>
+            <Button act={() => this.reply(false)}>Not now</Button>
+            <Button class="solid" act={() => this.reply(true)}>
               Allow
-            </button>
+            </Button>
           </div>
         </>
       );
@@ -101,26 +100,18 @@ export class SharedController {
     if (!news || directors.length === 0) return null;
     const act = news.offer === 'play' ? PlaybackAction.Play : PlaybackAction.GoBack;
     return (
-      <>
-        <Icon name="directors" size={24} />
-        <div class="banner-words">
-          <strong>{news.text}</strong>
-        </div>
+      <Banner icon="directors" title={news.text}>
         <div class="banner-buttons">
-          <button
-            type="button"
-            class="solid"
-            onClick={() => this.parts_.client.send({ type: 'Playback', action: act })}
-          >
+          <Button class="solid" act={() => this.parts_.client.send({ type: 'Playback', action: act })}>
             {news.offerText}
-          </button>
+          </Button>
         </div>
         {news.offer === 'back' && (
           <button type="button" class="notice-close" aria-label="Close the message" onClick={() => this.read()}>
             <Icon name="close" />
           </button>
         )}
-      </>
+      </Banner>
     );
   }
 

@@ -2,7 +2,7 @@
 
 import { render, type VNode } from 'preact';
 import type { Measures } from '../../model/measures/measures';
-import { ToolButton } from '../widgets/buttons';
+import { Button, ToolButton } from '../widgets/buttons';
 import { element } from '../widgets/dom';
 import { Figures, MeasureCard, withUnit, type CardActions } from './measure_card';
 import { Plot } from './plot';
@@ -83,9 +83,9 @@ export class MeasurePanel {
     const { actions_: actions, measures_: measures, tool_: drawn } = this;
     const { list, time, longestGap: gap } = measures;
     const tool = (name: MeasureTool, label: string): VNode => (
-      <button type="button" class="soft" aria-pressed={name === drawn} onClick={() => actions.draw(name)}>
+      <Button aria-pressed={name === drawn} act={() => actions.draw(name)}>
         {label}
-      </button>
+      </Button>
     );
     render(
       <>

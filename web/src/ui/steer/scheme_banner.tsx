@@ -2,7 +2,8 @@
 
 import type { StudioActions } from '../../model/studio_actions';
 import type { StudioStore } from '../../model/studio_store';
-import { Icon } from '../widgets/buttons';
+import { Banner } from '../widgets/banner';
+import { Button } from '../widgets/buttons';
 import { element } from '../widgets/dom';
 import { drawPanel } from '../widgets/panel';
 
@@ -16,16 +17,9 @@ export class SchemeBanner {
       this.root.hidden = info === undefined;
       if (!info) return null;
       return (
-        <>
-          <Icon name="steer" size={24} />
-          <div class="banner-words">
-            <strong>{info.title}</strong>
-            <span class="secondary">{info.description}</span>
-          </div>
-          <button type="button" class="soft" onClick={() => actions.chooseScheme('')}>
-            Leave
-          </button>
-        </>
+        <Banner icon="steer" title={info.title} text={info.description}>
+          <Button act={() => actions.chooseScheme('')}>Leave</Button>
+        </Banner>
       );
     });
   }

@@ -4,7 +4,7 @@ import { Component, type ComponentChildren, type VNode } from 'preact';
 import { PlaybackAction, type StudyState } from '../../protocol/messages';
 import type { MessageSender } from '../../link/studio_client';
 import { formatClock } from '../../model/formatters';
-import { Icon } from '../widgets/buttons';
+import { Button, Icon } from '../widgets/buttons';
 import { endText } from './cards';
 
 /** A button that ends something asks once more; it forgets that after this time [ms]. */
@@ -87,9 +87,9 @@ export class TrialBar extends Component<TrialBarProps> {
         moment={moment}
       >
         <div class="study-ends">
-          <button type="button" class="soft study-end" disabled={moment.time < least} onClick={this.pressed}>
+          <Button class="soft study-end" disabled={moment.time < least} act={this.pressed}>
             {practice ? 'End practice' : this.sure_ > 0 ? 'Really give up?' : 'Give up'}
-          </button>
+          </Button>
           <button type="button" class="study-stop" onClick={stop}>
             Stop taking part
           </button>
@@ -121,14 +121,13 @@ export function ReplayBar({ state, moment, client }: ReplayBarProps): VNode {
         <button type="button" aria-label="From the start" onClick={() => play(PlaybackAction.Restart)}>
           <Icon name="restart" />
         </button>
-        <button
-          type="button"
+        <Button
           class="solid"
           aria-label={playing ? 'Pause' : 'Play'}
-          onClick={() => play(playing ? PlaybackAction.Pause : PlaybackAction.Play)}
+          act={() => play(playing ? PlaybackAction.Pause : PlaybackAction.Play)}
         >
           <Icon name={playing ? 'pause' : 'play'} />
-        </button>
+        </Button>
         <div class="segments" role="group" aria-label="Speed">
           {kSpeeds.map((factor) => (
             <button

@@ -5,6 +5,7 @@ import { StudyStage, TrialEnd, type AnswerFrame, type StudyForm, type StudyState
 import { formatClock } from '../../model/formatters';
 import { linesOf } from './how_to';
 import { answerOf, missingText, Question } from './questions';
+import { Button } from '../widgets/buttons';
 
 /** How the last trial went, in one sentence; empty for none. */
 export function endText({ ended, seconds, collected, items }: StudyState): string {
@@ -194,9 +195,9 @@ export class FormCard extends Component<FormCardProps> {
         ))}
         {form.source && <p class="study-source secondary">{`Source: ${form.source}`}</p>}
         <div class="study-buttons">
-          <button type="submit" class="solid study-next" disabled={busy}>
+          <Button type="submit" class="solid study-next" disabled={busy}>
             Continue
-          </button>
+          </Button>
         </div>
       </form>
     );

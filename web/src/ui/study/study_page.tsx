@@ -3,7 +3,8 @@
 import type { VNode } from 'preact';
 import type { MessageSender } from '../../link/studio_client';
 import { StudyStage, type AnswerFrame, type StudyForm, type StudyState } from '../../protocol/messages';
-import { Icon, Logo } from '../widgets/buttons';
+import { Banner } from '../widgets/banner';
+import { Button, Logo } from '../widgets/buttons';
 import { Modal } from '../widgets/dialog';
 import { ReplayBar, TrialBar, type Moment } from './bars';
 import { FormCard, StageCard } from './cards';
@@ -66,12 +67,10 @@ function Stop({ actions }: Pick<Props, 'actions'>): VNode {
     <Modal title="Stop taking part?" class="study-dialog" closes="" close={() => actions.askStop(false)}>
       <p>You may stop at any time, without giving a reason. What you did until now is kept.</p>
       <div class="study-buttons">
-        <button type="button" class="soft" onClick={() => actions.askStop(false)}>
-          Keep taking part
-        </button>
-        <button type="button" class="solid" onClick={() => actions.stop()}>
+        <Button act={() => actions.askStop(false)}>Keep taking part</Button>
+        <Button class="solid" act={() => actions.stop()}>
           Stop for good
-        </button>
+        </Button>
       </div>
     </Modal>
   );
@@ -80,16 +79,11 @@ function Stop({ actions }: Pick<Props, 'actions'>): VNode {
 function Lost({ actions }: Pick<Props, 'actions'>): VNode {
   return (
     <section class="banner study-lost panel" role="alert">
-      <Icon name="lost" size={24} />
-      <div class="banner-words">
-        <strong>Connection lost</strong>
-        <span class="secondary">The run waits, and nothing is lost. Trying again…</span>
-      </div>
-      <div class="banner-buttons">
-        <button type="button" class="soft" onClick={() => actions.retry()}>
-          Try now
-        </button>
-      </div>
+      <Banner icon="lost" title="Connection lost" text="The run waits, and nothing is lost. Trying again…">
+        <div class="banner-buttons">
+          <Button act={() => actions.retry()}>Try now</Button>
+        </div>
+      </Banner>
     </section>
   );
 }

@@ -2,7 +2,7 @@
 // progress and a way to stop.
 
 import { render, type ComponentChildren, type VNode } from 'preact';
-import { Icon } from '../widgets/buttons';
+import { Button, Icon } from '../widgets/buttons';
 import { element } from '../widgets/dom';
 import { kExportKinds, kFilmSizes, type ExportChoice, type ExportKind, type ExportRange } from './export_kinds';
 
@@ -260,19 +260,18 @@ export class ExportDialog {
         </p>
         <div class="export-running" hidden={!running}>
           <progress max={1} value={this.share_} aria-label="Progress of the export" />
-          <button type="button" class="soft export-stop" onClick={() => this.actions_.cancel()}>
+          <Button class="soft export-stop" act={() => this.actions_.cancel()}>
             Cancel
-          </button>
+          </Button>
         </div>
-        <button
-          type="button"
+        <Button
+          icon="download"
           class="solid export-begin"
           hidden={running}
-          onClick={() => this.actions_.begin(this.chosen)}
+          act={() => this.actions_.begin(this.chosen)}
         >
-          <Icon name="download" />
           Export
-        </button>
+        </Button>
       </>,
       this.root,
     );

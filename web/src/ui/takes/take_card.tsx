@@ -5,7 +5,7 @@ import { hasEngine, showPicture } from '../../link/answers';
 import { canShareLinks, copyLink } from '../../link/shared_link';
 import type { TakeActions } from '../../model/take_actions';
 import { formatLengthOf, takeTitle, type ShelvedTake } from '../../model/take_facts';
-import { Icon, ToolButton } from '../widgets/buttons';
+import { Button, Icon, ToolButton } from '../widgets/buttons';
 import { element } from '../widgets/dom';
 import type { IconName } from '../widgets/icons';
 
@@ -113,15 +113,14 @@ export class TakeCard {
         <p class="card-said secondary" role="status" hidden={this.said_ === ''}>
           {this.said_}
         </p>
-        <button
-          type="button"
+        <Button
+          icon="undo"
           class="solid card-undo"
           hidden={!removed}
-          onClick={() => this.take_ && this.actions_.restoreTake(this.take_)}
+          act={() => this.take_ && this.actions_.restoreTake(this.take_)}
         >
-          <Icon name="undo" />
           Bring it back
-        </button>
+        </Button>
       </>,
       this.root,
     );

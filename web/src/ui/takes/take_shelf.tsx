@@ -4,9 +4,10 @@ import { render, type VNode } from 'preact';
 import { showPicture } from '../../link/answers';
 import type { TakeActions } from '../../model/take_actions';
 import { formatAge, formatBytes, formatLengthOf, takeTitle, type ShelvedTake } from '../../model/take_facts';
-import { Icon, ToolButton } from '../widgets/buttons';
+import { Button, Icon, ToolButton } from '../widgets/buttons';
 import { element } from '../widgets/dom';
 import { Held } from '../widgets/held';
+import { UndoRow } from '../widgets/undo_row';
 
 /** What is said below a take's name. */
 function factsOf(take: ShelvedTake, now: number): string {
@@ -72,7 +73,6 @@ export class TakeShelf {
   offerUndo(take: ShelvedTake): void {
     this.removed_ = take;
     this.draw();
-    this.root.querySelector<HTMLElement>('.shelf-undo button')?.focus();
   }
 
   private draw(): void {
@@ -81,10 +81,9 @@ export class TakeShelf {
       <>
         <div class="shelf-head">
           <h2>Takes</h2>
-          <button type="button" class="soft" onClick={this.openFile_}>
-            <Icon name="open" />
+          <Button icon="open" act={this.openFile_}>
             Open a file…
-          </button>
+          </Button>
           <ToolButton
             icon="close"
             label="Close the shelf"
@@ -112,15 +111,7 @@ export class TakeShelf {
       this.draw();
       this.actions_.restoreTake(take);
     };
-    return (
-      <div class="shelf-undo">
-        <span>“{takeTitle(take)}” is removed.</span>
-        <button type="button" class="soft" onClick={back}>
-          <Icon name="undo" />
-          Bring it back
-        </button>
-      </div>
-    );
+    return <UndoRow key={take.name} title={takeTitle(take)} back={back} />;
   }
 
   private item(take: ShelvedTake): VNode {
