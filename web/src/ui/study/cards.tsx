@@ -98,7 +98,7 @@ function Ready({ state, ...act }: CardAct & { readonly state: StudyState }): VNo
       </p>
       <div class="study-control">
         <strong>{practice ? device : `${schemeTitle}. ${device}`}</strong>
-        <dl class="study-how">
+        <dl class="help-rows study-how">
           {linesOf(scheme).map(([withWhat, does]) => (
             <>
               <dt>{withWhat}</dt>

@@ -64,7 +64,7 @@ function Head({ view: { state, done }, actions }: Props): VNode {
 
 function Stop({ actions }: Pick<Props, 'actions'>): VNode {
   return (
-    <Modal title="Stop taking part?" class="study-dialog" closes="" close={() => actions.askStop(false)}>
+    <Modal title="Stop taking part?" class="help study-dialog" closes="" close={() => actions.askStop(false)}>
       <p>You may stop at any time, without giving a reason. What you did until now is kept.</p>
       <div class="study-buttons">
         <Button act={() => actions.askStop(false)}>Keep taking part</Button>
