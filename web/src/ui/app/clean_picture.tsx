@@ -3,7 +3,7 @@
 
 import type { StudioActions } from '../../model/studio_actions';
 import type { StudioStore } from '../../model/studio_store';
-import { ToolButton } from '../widgets/buttons';
+import { toolButton } from '../widgets/buttons';
 import { element } from '../widgets/dom';
 import { drawPanel } from '../widgets/panel';
 
@@ -19,7 +19,7 @@ export class CleanPicture {
     drawPanel(this.root, store, ['clean'], ({ clean }) => {
       this.root.hidden = !clean;
       if (clean) this.appear();
-      return <ToolButton icon="show" label={label} iconOnly shortcut="0" act={() => actions.toggleClean()} />;
+      return toolButton('show', label, () => actions.toggleClean(), { iconOnly: true, shortcut: '0' });
     });
     for (const type of ['pointermove', 'pointerdown', 'keydown'] as const) {
       window.addEventListener(type, () => !this.root.hidden && this.appear(), { passive: true });

@@ -27,7 +27,7 @@ interface Limits {
   readonly name: string;
   readonly min: number;
   readonly max: number;
-  readonly step?: number;
+  readonly step?: number | undefined;
 }
 
 interface NumberSetting extends Limits {
@@ -172,9 +172,9 @@ export class PlaceImport extends Component<PlaceImportProps, Made> {
         </Field>
         {kFields
           .filter(({ kinds }) => kinds.includes(source.kind))
-          .map(({ label, kinds: _, ...limits }) => (
+          .map(({ label, name, min, max, step }) => (
             <Field key={label} label={label}>
-              <NumberInput {...limits} value={settings[limits.name]} />
+              <NumberInput name={name} min={min} max={max} step={step} value={settings[name]} />
             </Field>
           ))}
         {source.kind === 'model' && source.up === null && (

@@ -6,7 +6,7 @@ import { placeTitle, type KeptPlace } from '../../model/place_files/kept_place';
 import type { PlaceActions } from '../../model/place_files/place_actions';
 import { drawingOf, factsOf } from '../../model/place_files/place_drawing';
 import { kTemplates } from '../../model/place_files/templates';
-import { Button, Icon, ToolButton } from '../widgets/buttons';
+import { Button, Icon, toolButton } from '../widgets/buttons';
 import { UndoRow } from '../widgets/undo_row';
 import { PlacePicture } from './place_picture';
 
@@ -93,15 +93,15 @@ class Item extends Component<ItemProps, Renaming> {
           </span>
         </button>
         <span class="place-tools">
-          <ToolButton
-            icon="rename"
-            label={`Rename ${title}`}
-            iconOnly
-            act={({ currentTarget }) => this.setState({ opener: currentTarget as HTMLElement })}
-          />
-          <ToolButton icon="copy" label={`Duplicate ${title}`} iconOnly act={() => actions.duplicatePlace(place)} />
-          <ToolButton icon="download" label={`Download ${title}`} iconOnly act={() => actions.downloadPlace(place)} />
-          <ToolButton icon="close" label={`Remove ${title}`} iconOnly act={() => actions.removePlace(place)} />
+          {toolButton(
+            'rename',
+            `Rename ${title}`,
+            ({ currentTarget }) => this.setState({ opener: currentTarget as HTMLElement }),
+            { iconOnly: true },
+          )}
+          {toolButton('copy', `Duplicate ${title}`, () => actions.duplicatePlace(place), { iconOnly: true })}
+          {toolButton('download', `Download ${title}`, () => actions.downloadPlace(place), { iconOnly: true })}
+          {toolButton('close', `Remove ${title}`, () => actions.removePlace(place), { iconOnly: true })}
         </span>
         {opener && this.renaming(place)}
       </li>

@@ -88,9 +88,22 @@ function Lost({ actions }: Pick<Props, 'actions'>): VNode {
   );
 }
 
+function Main({ view: { state, form, busy }, actions }: Props): VNode {
+  const stage = state?.stage;
+  return (
+    <div class="study-main">
+      {form && stage === StudyStage.Form ? (
+        <FormCard key={form.number} form={form.form} busy={busy} send={(all) => actions.answer(all)} />
+      ) : (
+        <StageCard key={`${stage} ${state?.trial}`} state={state} busy={busy} act={() => actions.goOn()} />
+      )}
+    </div>
+  );
+}
+
 export function StudyPage(props: Props): VNode {
   const { view, actions } = props;
-  const { state, form, moment, busy, toast } = view;
+  const { state, moment, toast } = view;
   const stage = state?.stage;
   const isTrial = state !== null && stage === StudyStage.Trial;
   const isReplay = state !== null && stage === StudyStage.Replay;
@@ -98,15 +111,7 @@ export function StudyPage(props: Props): VNode {
     <>
       <div class="study-page" hidden={isTrial || isReplay} inert={view.lost}>
         <Head {...props} />
-        {!isTrial && !isReplay && (
-          <div class="study-main">
-            {form && stage === StudyStage.Form ? (
-              <FormCard key={form.number} form={form.form} busy={busy} send={(all) => actions.answer(all)} />
-            ) : (
-              <StageCard key={`${stage} ${state?.trial}`} state={state} busy={busy} act={() => actions.goOn()} />
-            )}
-          </div>
-        )}
+        {!isTrial && !isReplay && <Main {...props} />}
       </div>
       {isTrial && (
         <TrialBar

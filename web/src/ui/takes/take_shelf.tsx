@@ -4,7 +4,7 @@ import { render, type VNode } from 'preact';
 import { showPicture } from '../../link/answers';
 import type { TakeActions } from '../../model/take_actions';
 import { formatAge, formatBytes, formatLengthOf, takeTitle, type ShelvedTake } from '../../model/take_facts';
-import { Button, Icon, ToolButton } from '../widgets/buttons';
+import { Button, Icon, toolButton } from '../widgets/buttons';
 import { element } from '../widgets/dom';
 import { Held } from '../widgets/held';
 import { UndoRow } from '../widgets/undo_row';
@@ -84,13 +84,7 @@ export class TakeShelf {
           <Button icon="open" act={this.openFile_}>
             Open a file…
           </Button>
-          <ToolButton
-            icon="close"
-            label="Close the shelf"
-            iconOnly
-            class="shelf-close"
-            act={() => actions.closeShelf()}
-          />
+          {toolButton('close', 'Close the shelf', () => actions.closeShelf(), { iconOnly: true, class: 'shelf-close' })}
         </div>
         {this.undo()}
         <ul class="shelf-list">{takes.map((take) => this.item(take))}</ul>
@@ -139,29 +133,20 @@ export class TakeShelf {
         <span class="shelf-tools">
           {!('copyOnly' in take) && (
             <>
-              <ToolButton
-                icon="takes"
-                label={`Export ${title}`}
-                iconOnly
-                disabled={take.recording}
-                act={() => actions.exportTake(take.name)}
-              />
-              <ToolButton
-                icon="download"
-                label={`Save ${title} as a file`}
-                iconOnly
-                disabled={take.recording}
-                act={() => actions.saveTake(take)}
-              />
+              {toolButton('takes', `Export ${title}`, () => actions.exportTake(take.name), {
+                iconOnly: true,
+                disabled: take.recording,
+              })}
+              {toolButton('download', `Save ${title} as a file`, () => actions.saveTake(take), {
+                iconOnly: true,
+                disabled: take.recording,
+              })}
             </>
           )}
-          <ToolButton
-            icon="close"
-            label={`Remove ${title}`}
-            iconOnly
-            disabled={take.recording}
-            act={() => actions.removeTake(take)}
-          />
+          {toolButton('close', `Remove ${title}`, () => actions.removeTake(take), {
+            iconOnly: true,
+            disabled: take.recording,
+          })}
         </span>
       </li>
     );

@@ -90,6 +90,16 @@ export function ToolButton(props: ToolButtonProps): VNode {
   );
 }
 
+/** The same as a row of a list of tools. */
+export function toolButton(
+  icon: IconName,
+  label: string,
+  act: (event: MouseEvent) => void,
+  more: Omit<ToolButtonProps, 'icon' | 'label' | 'act'> = {},
+): VNode {
+  return <ToolButton icon={icon} label={label} act={act} {...more} />;
+}
+
 export interface ButtonProps extends Omit<ComponentProps<'button'>, 'icon'> {
   readonly icon?: IconName;
   readonly act?: () => void;
