@@ -78,7 +78,7 @@ async function start(mode: string | undefined): Promise<object> {
   openBuildLazily({ ...parts, history: app.orders.history });
   openPathsLazily(parts);
   openMeasuresLazily(parts);
-  openWordsLazily(parts, () => app.frame);
+  openWordsLazily({ ...parts, frame: () => app.frame });
   openSequenceLazily({ ...parts, queues: app.orders.queues, frame: () => app.frame });
   const standby = kAbout['standby'];
   if (standby !== undefined)

@@ -8,7 +8,7 @@ import type { HistoryFacts } from '../../model/studio_state';
 import { BuildIcon } from '../widgets/build_icons';
 import { Icon } from '../widgets/buttons';
 import { element } from '../widgets/dom';
-import { NumberField, SelectField, type NumberRange } from '../widgets/fields';
+import { NumberField, type NumberRange, selectField } from '../widgets/fields';
 import { GateTimeFields, JoinField } from './area_fields';
 import { kShapes, type BuildActions } from './build_actions';
 import { kToolKeys } from './build_keys';
@@ -98,14 +98,8 @@ function Options({ tool, actions }: { readonly tool: BuildTool; readonly actions
           act={(value) => actions.setOptions({ [key]: value })}
         />
       ))}
-      {(tool === 'checkpoint' || tool === 'people') && (
-        <SelectField
-          label="Formation"
-          words={kShapes}
-          value={options.formation}
-          act={(formation) => actions.setOptions({ formation })}
-        />
-      )}
+      {(tool === 'checkpoint' || tool === 'people') &&
+        selectField('Formation', kShapes, options.formation, (formation) => actions.setOptions({ formation }))}
       {tool === 'source' && (
         <JoinField
           group={options.sourceGroup}

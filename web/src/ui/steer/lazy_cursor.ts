@@ -10,6 +10,7 @@ import type { StudioClient } from '../../link/studio_client';
 import type { Contact, ContactOwner } from '../../tools/contact';
 import type { CursorHost, GroundCursor } from '../../tools/ground_cursor';
 import type { ArrowKey } from '../../tools/keyboard_steering';
+import { couldNotLoad, once } from '../widgets/lazily';
 
 export interface CursorParts {
   readonly client: Pick<StudioClient, 'on'>;
@@ -43,8 +44,8 @@ export function roomWithin(
 export class LazyCursor {
   private parts_: CursorParts | null = null;
   private scene_: Scene | null = null;
-  private loading_: Promise<GroundCursor> | null = null;
   private cursor_: GroundCursor | null = null;
+  private readonly loaded_ = once(() => this.load(this.parts_!));
 
   serve(parts: CursorParts): void {
     const { client, store, canvas } = parts;
@@ -61,11 +62,11 @@ export class LazyCursor {
   }
 
   arrow(key: ArrowKey, long: boolean): void {
-    void this.loaded().then((cursor) => cursor.arrow(key, long));
+    this.use((cursor) => cursor.arrow(key, long));
   }
 
   press(shift: boolean): void {
-    void this.loaded().then((cursor) => cursor.press(shift));
+    this.use((cursor) => cursor.press(shift));
   }
 
   giveUp(): boolean {
@@ -75,11 +76,11 @@ export class LazyCursor {
   /** Who works with keys sees it as soon as the tool is in hand. */
   private showOrHide(): void {
     if (!this.takesKeys) return this.cursor_?.hide();
-    if (this.parts_?.canvas.matches(':focus-visible')) void this.loaded().then((cursor) => cursor.show());
+    if (this.parts_?.canvas.matches(':focus-visible')) this.use((cursor) => cursor.show());
   }
 
-  private loaded(): Promise<GroundCursor> {
-    return (this.loading_ ??= this.load(this.parts_!));
+  private use(act: (cursor: GroundCursor) => void): void {
+    void this.loaded_().then(act, () => couldNotLoad(this.parts_!.store));
   }
 
   private async load(parts: CursorParts): Promise<GroundCursor> {

@@ -80,20 +80,9 @@ const kShapes = {
 
 export type IconName = keyof typeof kShapes;
 
-function svg(body: string, size: number, box: number, attributes: string): SVGSVGElement {
-  const template = document.createElement('template');
-  template.innerHTML = `<svg width="${size}" height="${size}" viewBox="0 0 ${box} ${box}" aria-hidden="true" ${attributes}>${body}</svg>`;
-  return template.content.firstElementChild as SVGSVGElement;
-}
-
 /** What is inside of an icon's svg. */
 export function iconBody(name: IconName): string {
   return kShapes[name];
-}
-
-export function icon(name: IconName, size = 20): SVGSVGElement {
-  const style = 'fill="none" stroke="currentColor" stroke-width="1.6" stroke-linecap="round" stroke-linejoin="round"';
-  return svg(kShapes[name], size, 20, style);
 }
 
 const kLogoPlaces = [
@@ -109,7 +98,3 @@ const kLogoPlaces = [
 export const kLogoBody = kLogoPlaces
   .map(([x, y], i) => `<circle cx="${x}" cy="${y}" r="3" ${i === 2 ? 'class="logo-accent"' : ''}/>`)
   .join('');
-
-export function logo(): SVGSVGElement {
-  return svg(kLogoBody, 30, 30, 'fill="currentColor" class="logo"');
-}
