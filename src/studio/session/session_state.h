@@ -160,6 +160,7 @@ struct Session::Impl {
     void park();
     Status goBack(std::uint32_t id);
     Status reopen(const ParkedWorld& back);
+    void goOnAs(const ParkedWorld& back);
     void bringBack(ParkedWorld& back);
     void sendShared(SessionClient& client);
     Status keepPlace(SessionClient& client, const protocol::KeepPlace& message);
