@@ -43,7 +43,7 @@ std::vector<Act> folded(const std::vector<Act>& acts) {
     return all;
 }
 
-std::string withS(std::string verb) {
+std::string withS(const std::string& verb) {
     const bool es = verb.ends_with("o") || verb.ends_with("sh") || verb.ends_with("ch") ||
                     verb.ends_with("ss");
     return verb + (es ? "es" : "s");

@@ -117,8 +117,9 @@ TEST_CASE("words: no part of a sentence is lost, for any verb") {
                 const bool same = one == other || (one + other).find("slowly") != std::string::npos;
                 if (with.refused || same) continue;  // Who says “slowly” may say how fast that is.
                 const Meaning both = meaningOf(verb + " " + one + " " + other, scene);
-                CHECK_MESSAGE((both.refused || (both != with && both != meaningOf(verb + " " + other, scene))),
-                              verb << " " << one << " " << other);
+                CHECK_MESSAGE(
+                    (both.refused || (both != with && both != meaningOf(verb + " " + other, scene))),
+                    verb << " " << one << " " << other);
             }
         }
     }
@@ -151,7 +152,8 @@ TEST_CASE("words: a spacing keeps the facing that is said with it, and a form th
 
 TEST_CASE("words: a gate is gone through, whatever its name begins with") {
     WorldDef def;
-    def.groups = {{.name = "North", .count = 9, .position = {0, 8}}, {.name = "South", .count = 4, .position = {9, -9}}};
+    def.groups = {{.name = "North", .count = 9, .position = {0, 8}},
+                  {.name = "South", .count = 4, .position = {9, -9}}};
     ObstacleDef gate{.name = "North gate", .polygon = {{-2, -0.1}, {2, -0.1}, {2, 0.1}, {-2, 0.1}}};
     gate.path.waypoints = {{0.0, {0, 0}, 0.0}, {5.0, {0, 0}, 0.0}, {8.0, {4, 0}, 0.0}, {1e7, {0, 0}, 0.0}};
     def.obstacles = {gate};
@@ -166,8 +168,9 @@ TEST_CASE("words: a gate is gone through, whatever its name begins with") {
         REQUIRE_MESSAGE(said.commands.size() == 1, text);
         return std::get<GiveOrder>(said.commands[0]).order;
     };
-    for (const char* text : {"North go to 0, -9 through the North gate", "North go by way of the gate to 0, -9",
-                             "North walk through the door to 0, -9"}) {
+    for (const char* text :
+         {"North go to 0, -9 through the North gate", "North go by way of the gate to 0, -9",
+          "North walk through the door to 0, -9"}) {
         const Order order = orderOf(text);
         REQUIRE_MESSAGE(order.route.size() == 3, text);
         CHECK_MESSAGE(distance(order.route[1], {0, 0}) < 1e-9, text);
