@@ -201,7 +201,12 @@ const kCases = [
   ['group colour: by touch', groupColour.byTouch, ['landscape', 'portrait', 'phone', 'narrow'], kOpen],
   ['group appearance: by mouse', groupAppearance.byMouse, ['desktop'], { ...kOpen, touch: false }],
   ['group appearance: by touch', groupAppearance.byTouch, ['portrait', 'phone'], kOpen],
-  ['build: by keys alone', buildKeys.byKeys, ['desktop'], { touch: false, scenario: 'scenarios/open.json', room: true }],
+  [
+    'build: by keys alone',
+    buildKeys.byKeys,
+    ['desktop'],
+    { touch: false, scenario: 'scenarios/open.json', room: true },
+  ],
   ['build: numbers', build.numbers, ['wide'], { touch: false, scenario: 'scenarios/open.json', room: true }],
   ['build: bodies', build.bodies, [...kTablets, 'phone'], { scenario: 'scenarios/open.json', room: true }],
   ['build: drags', build.dragsInARow, ['desktop'], { touch: false, scenario: 'scenarios/open.json', room: true }],

@@ -4,8 +4,7 @@ import { near, scene } from './build.mjs';
 import { go } from './keys.mjs';
 
 const at = (one) => one.polygon.map(([x, y]) => ({ x, y }));
-const span = (points, axis) =>
-  Math.max(...points.map((p) => p[axis])) - Math.min(...points.map((p) => p[axis]));
+const span = (points, axis) => Math.max(...points.map((p) => p[axis])) - Math.min(...points.map((p) => p[axis]));
 const toolOf = (studio) => studio.page.locator('.build-tool[aria-pressed="true"]').textContent();
 
 async function open(studio) {

@@ -329,7 +329,8 @@ export class BuildController implements StrokeHost, BuildActions {
   enter(shift: boolean): void {
     const { at } = this.parts_.cursor;
     if (this.strokes_.ends(at)) return this.strokes_.finishPolygon();
-    if (!shift && this.tool === 'select' && this.chosen_.length > 0 && !this.strokes_.busy) return this.panel_.toFields();
+    if (!shift && this.tool === 'select' && this.chosen_.length > 0 && !this.strokes_.busy)
+      return this.panel_.toFields();
     this.parts_.cursor.press(shift);
   }
 
