@@ -75,7 +75,7 @@ async function start(mode: string | undefined): Promise<object> {
   openSharedLazily(parts);
   openLinksLazily(parts);
   openPlacesLazily({ ...parts, files: app.files });
-  openBuildLazily({ ...parts, history: app.orders.history });
+  openBuildLazily({ ...parts, history: app.orders.history, cursor: app.cursor });
   openPathsLazily(parts);
   openMeasuresLazily(parts);
   openWordsLazily({ ...parts, frame: () => app.frame });

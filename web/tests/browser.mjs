@@ -4,6 +4,7 @@
 //     --all       all cases in all of their sizes: a release
 import * as areas from './cases/areas.mjs';
 import * as build from './cases/build.mjs';
+import * as buildKeys from './cases/build_keys.mjs';
 import * as buildPeople from './cases/build_people.mjs';
 import * as buildCorners from './cases/build_corners.mjs';
 import * as camera from './cases/camera.mjs';
@@ -200,6 +201,12 @@ const kCases = [
   ['group colour: by touch', groupColour.byTouch, ['landscape', 'portrait', 'phone', 'narrow'], kOpen],
   ['group appearance: by mouse', groupAppearance.byMouse, ['desktop'], { ...kOpen, touch: false }],
   ['group appearance: by touch', groupAppearance.byTouch, ['portrait', 'phone'], kOpen],
+  [
+    'build: by keys alone',
+    buildKeys.byKeys,
+    ['desktop'],
+    { touch: false, scenario: 'scenarios/open.json', room: true },
+  ],
   ['build: numbers', build.numbers, ['wide'], { touch: false, scenario: 'scenarios/open.json', room: true }],
   ['build: bodies', build.bodies, [...kTablets, 'phone'], { scenario: 'scenarios/open.json', room: true }],
   ['build: drags', build.dragsInARow, ['desktop'], { touch: false, scenario: 'scenarios/open.json', room: true }],
@@ -293,6 +300,7 @@ const kCases = [
   ['control schemes by touch', schemes.byTouch, ['landscape', 'phone'], { room: true }],
   ['study: a whole run', study.wholeRun, ['wide'], { bare: true, release: true }],
   ['study: stopped, lost, two at once', study.brokenRuns, ['wide'], { bare: true, release: true }],
+  ['study: without touch', study.withoutTouch, ['desktop'], { bare: true }],
   ['study: look', study.look, ['wide', 'landscape', 'portrait', 'phone'], { bare: true }],
   ...realMaps.cases(),
 ];

@@ -161,6 +161,7 @@ struct Session::Impl {
     Status goBack(std::uint32_t id);
     Status leaveTake(std::uint32_t id, bool records = false);
     Status reopen(const ParkedWorld& back);
+    void goOnAs(const ParkedWorld& back);
     void bringBack(ParkedWorld& back);
     void sendShared(SessionClient& client);
     Status keepPlace(SessionClient& client, const protocol::KeepPlace& message);

@@ -194,6 +194,33 @@ TEST_CASE("Who leaves a take is back in the world that they left for it, as it w
     CHECK(anna.noticed("Playback") == "there is no world to go back to");
 }
 
+TEST_CASE("What comes back while somebody builds goes on afterwards only where it ran") {
+    TwoDirectors two;
+    two.pass(1.0);
+    const auto bytes = two.session.take();
+    REQUIRE(bytes.ok());
+    for (const bool taken : {true, false})
+        for (const bool ran : {true, false}) {
+            CAPTURE(taken);
+            CAPTURE(ran);
+            if (taken)
+                REQUIRE(two.session.openTake(*bytes, "take", {}, two.anna.id).ok());
+            else
+                two.anna.send(protocol::LoadScenario{"small"});
+            two.pass(0.3);
+            two.ben.send(protocol::Playback{ran ? PlaybackAction::Play : PlaybackAction::Pause});
+            two.ben.send(protocol::LoadScenario{"small"});
+            two.ben.send(protocol::Build{true});
+            two.anna.send(protocol::Playback{PlaybackAction::GoBack});
+            two.pass(0.2);
+            CHECK(two.session.replaying() == taken);
+            CHECK_FALSE(two.session.playing());
+            two.ben.send(protocol::Build{false});
+            two.pass(0.1);
+            CHECK(two.session.playing() == ran);
+        }
+}
+
 TEST_CASE("Who is alone leaves nothing behind to go back to") {
     Session session = startedSession();
     FakeClient anna(session, true, "Anna");

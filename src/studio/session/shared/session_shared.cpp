@@ -215,10 +215,16 @@ Status Session::Impl::reopen(const ParkedWorld& back) {
     if (Status s = openTake(back.takenBytes, back.def.name, back.takeName); !s.ok()) return s;
     player->edit(back.takeAbout, back.takeLoops);
     player->want(back.takeStep);
-    playing = back.playing && shared.builders.empty();
-    speed = back.speed;
+    goOnAs(back);
     touchTake();
     return {};
+}
+
+// It runs as it ran; where somebody builds, when they have done.
+void Session::Impl::goOnAs(const ParkedWorld& back) {
+    playing = back.playing && shared.builders.empty();
+    shared.goesOn = back.playing && !shared.builders.empty();
+    speed = back.speed;
 }
 
 void Session::Impl::bringBack(ParkedWorld& back) {
@@ -240,9 +246,7 @@ void Session::Impl::bringBack(ParkedWorld& back) {
         client.steers = true;
     }
     if (back.recording) beginRecording(back.recordedAbout.from, back.recordedAbout.title, nullptr);
-    playing = back.playing && shared.builders.empty();
-    shared.goesOn = back.playing && !shared.builders.empty();
-    speed = back.speed;
+    goOnAs(back);
     editor.touch(before);
     refreshScene();
 }

@@ -214,6 +214,11 @@ export class BuildPanel {
     this.root.querySelector<HTMLElement>('.build-tool')?.focus();
   }
 
+  /** To numbers and words of what is chosen. */
+  toFields(): void {
+    this.root.querySelector<HTMLElement>('.build-chosen-fields input')?.focus();
+  }
+
   /** Ends typing, as Enter does. */
   leaveField(): void {
     const { activeElement: field } = document;
@@ -242,7 +247,10 @@ export class BuildPanel {
               aria-keyshortcuts={kToolKeys[one].toUpperCase()}
               data-tip={kTools[one][1]}
               data-key={kToolKeys[one].toUpperCase()}
-              onClick={() => actions.setTool(one)}
+              onClick={({ detail }) => {
+                actions.setTool(one);
+                if (detail === 0) actions.toGround(); // By a key.
+              }}
             >
               <BuildIcon name={one} />
               <span>{kTools[one][0]}</span>

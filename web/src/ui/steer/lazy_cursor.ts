@@ -4,6 +4,7 @@ import type { StudioScene } from '../../scene/studio_scene';
 import type { HandMoves, Padding } from '../../scene/camera/camera_controls';
 import type { Scene } from '../../protocol/messages';
 import type { StudioFrame } from '../../model/studio_frame';
+import type { GroundPoint } from '../../model/plane';
 import type { ToolName } from '../../model/studio_state';
 import type { StudioStore } from '../../model/studio_store';
 import type { StudioClient } from '../../link/studio_client';
@@ -22,6 +23,13 @@ export interface CursorParts {
   choose(contact: Contact): ContactOwner;
   frame(): StudioFrame | null;
   say(text: string): void;
+}
+
+/** Who draws on the ground instead of the tools of the scene. */
+export interface CursorUser {
+  choose(contact: Contact): ContactOwner;
+  /** As CursorHost.picks(), asked once a stroke has begun. */
+  picks(): boolean;
 }
 
 const kPicks: readonly ToolName[] = ['follow', 'leave', 'wait', 'place'];
@@ -45,6 +53,7 @@ export class LazyCursor {
   private parts_: CursorParts | null = null;
   private scene_: Scene | null = null;
   private cursor_: GroundCursor | null = null;
+  private user_: CursorUser | null = null;
   private readonly loaded_ = once(() => this.load(this.parts_!));
 
   serve(parts: CursorParts): void {
@@ -56,9 +65,30 @@ export class LazyCursor {
     store.watch(['tool'], () => this.showOrHide());
   }
 
+  /** Null gives it back to the tools of the scene. */
+  lend(user: CursorUser | null): void {
+    this.cursor_?.hide();
+    this.user_ = user;
+  }
+
+  hide(): void {
+    this.cursor_?.hide();
+  }
+
+  /** The keys go on to the ground, where the cursor is shown. */
+  focus(): void {
+    this.parts_?.canvas.focus();
+    void this.loaded().then((cursor) => cursor.show());
+  }
+
+  /** Where it is shown; null while it is away. */
+  get at(): GroundPoint | null {
+    return this.parts_?.view.orders.cursor ?? null;
+  }
+
   /** True where arrows and Enter are the cursor's. */
   get takesKeys(): boolean {
-    return this.parts_?.store.state.tool !== 'steer';
+    return this.user_ !== null || this.parts_?.store.state.tool !== 'steer';
   }
 
   arrow(key: ArrowKey, long: boolean): void {
@@ -94,8 +124,8 @@ export class LazyCursor {
       camera,
       show: (at) => (view.orders.cursor = at),
       room: () => roomWithin(canvas, parts.padding()),
-      choose: (contact) => parts.choose(contact),
-      picks: () => kPicks.includes(store.state.tool),
+      choose: (contact) => (this.user_ ?? parts).choose(contact),
+      picks: () => this.user_?.picks() ?? kPicks.includes(store.state.tool),
       words: (at) => {
         const groups = (parts.frame()?.groups ?? []).map((group) => ({
           ...group,
