@@ -1,12 +1,17 @@
 import { expect, it } from 'vitest';
+import { kTriangles } from '../level_of_detail';
 import { plainRig } from './rig';
 import { restPositions } from '../../../model/skeleton';
-import { makeTinyBody } from './tiny_body';
+import { makeSpeckBody, makeTinyBody } from './tiny_body';
 
 it('is as tall as a person, on the floor, in few triangles, and grows with the rig', () => {
-  for (const scale of [1, 0.5]) {
-    const geometry = makeTinyBody(plainRig(restPositions().map((one) => one * scale)));
-    expect(geometry.index!.count / 3).toBeLessThan(90);
+  const made = [
+    [makeTinyBody, kTriangles.tiny],
+    [makeSpeckBody, kTriangles.speck],
+  ] as const;
+  for (const [scale, [make, triangles]] of [1, 0.5].flatMap((one) => made.map((each) => [one, each] as const))) {
+    const geometry = make(plainRig(restPositions().map((one) => one * scale)));
+    expect(geometry.index!.count / 3).toBe(triangles);
     geometry.computeBoundingBox();
     const { min, max } = geometry.boundingBox!;
     expect(min.z / scale).toBeGreaterThan(-0.05);
