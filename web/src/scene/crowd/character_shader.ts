@@ -78,8 +78,8 @@ vec3 gNow;
 vec3 gBefore;
 float gFade;
 float gSize;
-/** CSS px of a metre where the character is. */
-float gPixels;
+// 1 where a character is so small that only the group's colour is told; nearer ones come to that by and by.
+float gAfar;
 uniform float uLens;
 
 vec3 momentOf(int clip, float phase) {
@@ -137,7 +137,8 @@ Skin posePerson(vec3 p, vec3 n) {
   gBefore = momentOf(one.before, one.beforePhase);
   gFade = one.fade;
   gSize = one.size;
-  gPixels = uLens / max(0.1, -(viewMatrix * vec4(one.at, 0.9, 1.0)).z);
+  float pixels = uLens / max(0.1, -(viewMatrix * vec4(one.at, 0.9, 1.0)).z);
+  gAfar = region > 1.1 && region < 1.5 ? 1.0 : smoothstep(10.0, 5.0, pixels);
   Skin skin = Skin(vec3(0.0), vec3(0.0));
 #ifdef LIGHT
   float both = max(weights.x + weights.y, 1e-4);
@@ -154,6 +155,8 @@ Skin posePerson(vec3 p, vec3 n) {
   float s = sin(one.heading);
   skin.at = vec3(one.at.x + c * skin.at.x - s * skin.at.y, one.at.y + s * skin.at.x + c * skin.at.y, skin.at.z);
   skin.normal = vec3(c * skin.normal.x - s * skin.normal.y, s * skin.normal.x + c * skin.normal.y, skin.normal.z);
+  // Light from above, or the sides that are in shade would make small figures dark.
+  skin.normal += vec3(0.0, 0.0, 1.4 * gAfar);
   return skin;
 }
 `;
@@ -177,18 +180,19 @@ void colourPerson() {
   // Who is of a class wears a helmet.
   int unitClass = int(texelFetch(uMembers, rowOf(who()) + ivec2(1, 0), 0).y + 0.5);
   vec3 crown = unitClass > 0 ? uClasses[(unitClass - 1) % ${kClassColours.length}] : uHairs[hair];
-  // From afar only the group's colour is told: heads are lighter, legs in shade. Nearer bodies come to that by and by.
-  float afar = region > 1.1 && region < 1.5 ? 1.0 : smoothstep(10.0, 5.0, gPixels);
-  vec3 colour = worn.rgb * mix(0.86 + 0.28 * fract(gSize * 97.31), 1.0, afar);
-  vec3 farHead = mix(mix(crown, uSkins[skin], 0.5), worn.rgb, 0.35);
-  vec3 farLegs = worn.rgb * 0.4;
+  vec3 colour = worn.rgb * mix(0.86 + 0.28 * fract(gSize * 97.31), 1.0, gAfar);
+  // Heads stand out from shirts, which are dark on light ground and light on dark ground.
+  float bright = smoothstep(0.2, 0.35, dot(worn.rgb, vec3(0.3, 0.6, 0.1)));
+  vec3 bare = mix(mix(uSkins[skin], vec3(0.9, 0.82, 0.74), 0.55), mix(uSkins[skin], crown, 0.7), bright);
+  vec3 farHead = unitClass > 0 ? crown : bare;
+  vec3 farLegs = worn.rgb * 0.55;
   if (region > 4.5) colour = mix(tint, worn.rgb, 0.3);
-  else if (region > 3.5) colour = mix(vec3(0.8), farLegs, afar);
-  else if (region > 2.5) colour = mix(crown, farHead, afar);
-  else if (region > 1.5) colour = mix(mix(worn.rgb * 0.16, uTrousers, 0.55), farLegs, afar);
+  else if (region > 3.5) colour = mix(vec3(0.8), farLegs, gAfar);
+  else if (region > 2.5) colour = mix(crown, farHead, gAfar);
+  else if (region > 1.5) colour = mix(mix(worn.rgb * 0.16, uTrousers, 0.55), farLegs, gAfar);
   else if (region > 1.35) colour = farLegs;
   else if (region > 1.25) colour = farHead;
-  else if (region < 0.5) colour = mix(uSkins[skin], farHead, afar);
+  else if (region < 0.5) colour = mix(uSkins[skin], farHead, gAfar);
   vPerson = colour;
   vGrey = uGreyed * (1.0 - chosen);
 }

@@ -58,7 +58,8 @@ function slots(layer: CrowdLayer): Map<number, number> {
     const geometry = node.geometry as InstancedBufferGeometry;
     const who = geometry.attributes['aWho'] as InstancedBufferAttribute | undefined;
     if (!who || !geometry.attributes['joints']) return;
-    for (let i = 0; i < geometry.instanceCount; ++i) found.set(who.getX(i) % 2 ** kWhoBits, (who.getX(i) >>> kWhoBits) - 1);
+    for (let i = 0; i < geometry.instanceCount; ++i)
+      found.set(who.getX(i) % 2 ** kWhoBits, (who.getX(i) >>> kWhoBits) - 1);
   });
   return found;
 }

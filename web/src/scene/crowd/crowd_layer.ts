@@ -167,7 +167,9 @@ export class CrowdLayer {
       const level = levels.levelAt(i, to.x[i]!, to.y[i]!);
       if (level === kHidden) continue;
       const body = dressed[bodyIndex(this.builds_[state.group[i]!], state.body(i, dressed.length), dressed.length)]!;
-      body.at(level === kNear && !full ? kFar : level).list.add(i, full && this.replaced_[to.clip[i]!] !== 1 ? slots[i]! : -1);
+      body
+        .at(level === kNear && !full ? kFar : level)
+        .list.add(i, full && this.replaced_[to.clip[i]!] !== 1 ? slots[i]! : -1);
       discs.list.add(i, -1);
     }
   }

@@ -97,7 +97,11 @@ describe('LevelOfDetail', () => {
           }
         }
         // A step of a limit may let a row of people more pass.
-        expect([count, distance, sum > 1.1 * Math.max(576000, speck * seen) ? sum : 'few']).toEqual([count, distance, 'few']);
+        expect([count, distance, sum > 1.1 * Math.max(576000, speck * seen) ? sum : 'few']).toEqual([
+          count,
+          distance,
+          'few',
+        ]);
       }
     }
   });

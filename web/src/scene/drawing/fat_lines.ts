@@ -175,7 +175,8 @@ export class FatLines {
   /** Hands the lines to the GPU. */
   flush(tints: boolean): void {
     const attributes = this.mesh.geometry.attributes;
-    for (const name of ['from', 'to', 'along']) {
+    const dashed = (this.mesh.material.uniforms['uDash'] as { value: number }).value > 0;
+    for (const name of dashed ? ['from', 'to', 'along'] : ['from', 'to']) {
       const attribute = attributes[name];
       if (attribute) attribute.needsUpdate = true;
     }

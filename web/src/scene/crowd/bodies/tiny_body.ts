@@ -1,5 +1,6 @@
 // Bodies of a few tubes on the joints of any rig, for characters that are a few px tall: nearly all of them has the
-// group's colour, or a large crowd would look like noise.
+// group's colour, or a large crowd would look like noise. Heads and shoulders are larger than life, as in miniatures:
+// by them one person is told from the next.
 
 import type { BufferGeometry } from 'three';
 import { kRegion } from './body';
@@ -36,9 +37,9 @@ function tinyTubes({ at, tube }: Joints): Tube[] {
     tube(`${side}Arm`, at(`${side}Arm`), at(`${side}Hand`), [0.08, 0.065], [0.07, 0.06], farShirt),
   ]);
   return [
-    tube('Spine', at('Hips', -0.02), at('Neck'), [0.16, 0.19], [0.11, 0.11], farShirt),
-    tube('Head', at('Head', -0.06), at('Head', 0.12), [0.08, 0.11], [0.1, 0.12], farHead),
-    tube('Head', at('Head', 0.1), at('Head', 0.23), [0.11, 0.08], [0.12, 0.09], farHead),
+    tube('Spine', at('Hips', -0.02), at('Neck'), [0.15, 0.22], [0.11, 0.13], farShirt),
+    tube('Head', at('Head', -0.06), at('Head', 0.11), [0.09, 0.15], [0.1, 0.15], farHead),
+    tube('Head', at('Head', 0.09), at('Head', 0.24), [0.15, 0.1], [0.15, 0.1], farHead),
     ...sides,
   ];
 }
@@ -46,8 +47,8 @@ function tinyTubes({ at, tube }: Joints): Tube[] {
 /** Arms are too thin to be seen: the trunk is as wide as with them. */
 function speckTubes({ at, tube }: Joints): Tube[] {
   return [
-    tube('Spine', at('Hips', -0.04), at('Neck', 0.02), [0.2, 0.25], [0.15, 0.15], farShirt),
-    tube('Head', at('Head', -0.06), at('Head', 0.23), [0.12, 0.12], [0.13, 0.12], farHead),
+    tube('Spine', at('Hips', -0.04), at('Neck', 0.02), [0.17, 0.27], [0.13, 0.17], farShirt),
+    tube('Head', at('Head', -0.06), at('Head', 0.24), [0.17, 0.15], [0.17, 0.15], farHead),
     ...(['Left', 'Right'] as const).map((side) =>
       tube(`${side}UpLeg`, at(`${side}UpLeg`, 0.08), at(`${side}Foot`, -0.08), [0.12, 0.09], [0.12, 0.09], farLegs),
     ),
