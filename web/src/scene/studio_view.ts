@@ -344,10 +344,9 @@ export class StudioView implements StudioScene {
     if (this.membersStale_) this.dress(colours, greyed);
     const { meshes, places } = this.stage_;
     const scale = this.camera.pixelsPerMetre();
-    places.setScale(scale);
+    for (const layer of [meshes, places]) layer.setScale(scale);
     this.groups_.showMeshes(meshes, this.layers_.mesh, accents);
     this.groups_.showPlaces(places, this.layers_.places && places.seen, accents, now);
-    meshes.setScale(scale);
     if (this.stage_.environment.reveal(this.crowd_, this.camera)) this.wake();
     this.stage_.crowd.update(this.crowd_, blend, this.camera);
     this.stage_.render(this.camera, this.stats);

@@ -57,7 +57,7 @@ export class GroupState {
 
   /** Hands the meshes to their layer, less those whose shape has not come yet; `accents` are the groups' colours. */
   showMeshes(layer: MeshLayer, visible: boolean, accents: readonly string[]): void {
-    const wanted = { groups: this.groups_, key: `${visible}:${this.meshes_}:${accents.join()}` };
+    const wanted = { groups: this.groups_, key: `${visible}:${layer.insideSeen}:${this.meshes_}:${accents.join()}` };
     if (isSame(this.shownMeshes_, wanted)) return;
     this.shownMeshes_ = wanted;
     const shown: ShownMesh[] = [];
