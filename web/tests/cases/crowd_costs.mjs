@@ -130,7 +130,7 @@ export async function threeThousand(studio) {
 }
 
 export async function allSizes(studio) {
-  for (const count of [300, 1000, 3000, 10000]) await expectCrowd(studio, count, 12);
+  for (const count of [300, 1000, 3000, 10000]) await expectCrowd(studio, count, 6);
 }
 
 const kOptions = { search: '?quality=full', counts: true, scenario: 'scenarios/open.json' };

@@ -12,54 +12,29 @@ export const kNear = 4;
 /** Triangles of a body by level, a fine one with the coarse one that throws its shadow. */
 export const kTriangles = { speck: 36, tiny: 68, far: 360, near: 2460 } as const;
 
-/** Least size of a metre [CSS px], and most characters, of each level but the lowest. */
-const kFine = { pixels: 13, most: 250 };
-const kCoarse = { pixels: 5, most: 1500 };
-const kFew = { pixels: 3, most: Infinity };
-
 /** Most triangles of the crowd for each CSS px of the canvas. */
 const kPerPixel = 1.75;
 /** A level takes at most this share of the triangles that are left, so that some are left for the next one. */
 const kShare = 0.65;
+
+/** Each level but the lowest, from the finest on: least size of a metre [CSS px], most characters. */
+const kLevels = [
+  { pixels: 13, most: 250, triangles: kTriangles.near, share: kShare },
+  { pixels: 5, most: 1500, triangles: kTriangles.far, share: kShare },
+  { pixels: 3, most: Infinity, triangles: kTriangles.tiny, share: 1 },
+];
 
 /** The limit changes by so much from picture to picture, and who has a level keeps it until it is so much smaller. */
 const kStep = 1.06;
 /** Reach of a figure around its position, with the longest shadow that may fall into view [m]. */
 const kMargin = 3;
 
-/** A least size in px for the better level. It rises and falls so that at most `most` characters pass. */
-class Limit {
-  least: number;
-  count = 0;
-  /** Number of characters that would also pass if the limit were one step lower. */
-  private nearly_ = 0;
-
-  constructor(private readonly lowest_: number) {
-    this.least = lowest_;
-  }
-
-  begin(most: number): void {
-    if (this.count > most) this.least *= kStep;
-    else if (this.count + this.nearly_ <= most) this.least = Math.max(this.lowest_, this.least / kStep);
-    this.count = this.nearly_ = 0;
-  }
-
-  /** `had`: the character passed in the last picture. */
-  passes(pixels: number, had: boolean): boolean {
-    const size = had ? pixels * kStep : pixels;
-    if (size >= this.least) {
-      this.count += 1;
-      return true;
-    }
-    if (size * kStep >= this.least) this.nearly_ += 1;
-    return false;
-  }
-}
-
 export class LevelOfDetail {
-  private readonly fine_ = new Limit(kFine.pixels);
-  private readonly coarse_ = new Limit(kCoarse.pixels);
-  private readonly few_ = new Limit(kFew.pixels);
+  /** Of each level from the finest on: least size in px, which rises and falls so that not too many characters pass. */
+  private readonly least_ = Float64Array.from(kLevels, ({ pixels }) => pixels);
+  /** Who passed in this picture, and who would also pass if the limit were one step lower. */
+  private readonly passed_ = new Uint32Array(kLevels.length);
+  private readonly nearly_ = new Uint32Array(kLevels.length);
   /** Level of each character in the last picture. */
   private had_ = new Uint8Array(0);
   private inView_ = 0;
@@ -107,22 +82,30 @@ export class LevelOfDetail {
   }
 
   private levelOf(pixels: number, had: number): number {
-    if (this.fine_.passes(pixels, had >= kNear)) return kNear;
-    if (this.coarse_.passes(pixels, had >= kFar)) return kFar;
-    return this.few_.passes(pixels, had >= kTiny) ? kTiny : kSpeck;
+    const { least_: least } = this;
+    for (let k = 0; k < kLevels.length; ++k) {
+      const size = had >= kNear - k ? pixels * kStep : pixels;
+      if (size >= least[k]!) {
+        this.passed_[k]! += 1;
+        return kNear - k;
+      }
+      if (size * kStep >= least[k]!) this.nearly_[k]! += 1;
+    }
+    return kSpeck;
   }
 
   /** Divides the triangles that the lowest level leaves, by who was in view in the last picture. */
-  private allot(triangles: number): void {
-    const { speck, tiny, far, near } = kTriangles;
-    let left = Math.max(0, triangles - speck * this.inView_);
-    const take = (limit: Limit, most: number, cost: number, share: number): void => {
-      const count = limit.count;
-      limit.begin(Math.min(most, Math.floor((share * left) / cost)));
-      left = Math.max(0, left - count * cost);
-    };
-    take(this.fine_, kFine.most, near - speck, kShare);
-    take(this.coarse_, kCoarse.most, far - speck, kShare);
-    take(this.few_, kFew.most, tiny - speck, 1);
+  private allot(all: number): void {
+    let left = Math.max(0, all - kTriangles.speck * this.inView_);
+    kLevels.forEach(({ pixels, most, triangles, share }, k) => {
+      const cost = triangles - kTriangles.speck;
+      const room = Math.min(most, Math.floor((share * left) / cost));
+      const passed = this.passed_[k]!;
+      if (passed > room) this.least_[k]! *= kStep;
+      else if (passed + this.nearly_[k]! <= room) this.least_[k] = Math.max(pixels, this.least_[k]! / kStep);
+      left = Math.max(0, left - passed * cost);
+    });
+    this.passed_.fill(0);
+    this.nearly_.fill(0);
   }
 }
