@@ -5,8 +5,8 @@ import { percentile } from '../support/geometry.mjs';
 
 /** Of a phone, for any crowd: draws; triangles, and for those who are too many for that the triangles of each. */
 const kMost = { draws: 20, triangles: 600000, each: 37 };
-/** Bytes to WebGL for a picture: two new frames, two lists of who is drawn, the places, whole poses and marks. */
-const bytesFor = (count) => (2 * 32 + 2 * 4 + 8) * count + 113000 + 70 * count;
+/** Bytes to WebGL for a picture: two new frames of 32 each, lists of who is drawn, places; whole poses, meshes and marks. */
+const bytesFor = (count) => 100 * count + 230000;
 /** A fitted crowd of three thousand. */
 const kFitted = { count: 3000, triangles: 300000 };
 
