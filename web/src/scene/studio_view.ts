@@ -315,8 +315,7 @@ export class StudioView implements StudioScene {
       this.moving_ = blend.to.moving;
       this.stage_.environment.move(blend.from.moving, blend.to.moving, blend.alpha);
       this.stage_.environment.setCollected(blend.to.collected);
-      // Places of all are found only where they are asked for.
-      if (this.fitter.waits) this.fitter.show(this.crowd_.positions, this.timeline_.newest?.groups ?? []);
+      this.fitter.show(() => this.crowd_.positions, this.timeline_.newest?.groups ?? []);
     }
     const newest = this.timeline_.newest;
     if (this.orders.update(newest?.groups ?? [])) this.membersStale_ = true;
@@ -343,8 +342,7 @@ export class StudioView implements StudioScene {
     const accents = colours.map((colour) => (greyed ? this.palette_.grey : accentColour(this.palette_, colour)));
     if (this.membersStale_) this.dress(colours, greyed);
     const { meshes, places } = this.stage_;
-    const scale = this.camera.pixelsPerMetre();
-    for (const layer of [meshes, places]) layer.setScale(scale);
+    for (const layer of [meshes, places]) layer.setScale(this.camera.pixelsPerMetre());
     this.groups_.showMeshes(meshes, this.layers_.mesh, accents);
     this.groups_.showPlaces(places, this.layers_.places && places.seen, accents, now);
     if (this.stage_.environment.reveal(this.crowd_, this.camera)) this.wake();

@@ -50,15 +50,11 @@ export class ViewFitter {
     this.camera_.open();
   }
 
-  /** True until the view of a world has been opened. */
-  get waits(): boolean {
-    return !this.opened_ && this.camera_.width >= 2;
-  }
-
   /** Fits the view to the crowd, its orders and the obstacles near it, with the first frame that has a crowd, unless
    * something else has brought the view to a pose by then: a film camera, say, before the first picture. */
-  show(positions: Numbers, groups: readonly GroupView[]): void {
-    if (!this.waits) return;
+  show(places: () => Numbers, groups: readonly GroupView[]): void {
+    if (this.opened_ || this.camera_.width < 2) return;
+    const positions = places();
     const crowd = crowdOutline(positions, groups, 0);
     if (crowd.length === 0) return;
     this.opened_ = true;
