@@ -2,7 +2,7 @@
 // pose.
 
 import type { CameraControls, CameraPose, GroundSight, Padding, SeenGround } from './camera_controls';
-import { groundMatrix, type Basis } from './ground_matrix';
+import { basisOf, groundMatrix, type Basis } from './ground_matrix';
 import type { GroundPoint, ScreenPoint } from '../../model/plane';
 import type { SceneBox } from '../../protocol/messages';
 
@@ -19,20 +19,6 @@ const kPitchTop = 89.5 * kDegree;
 const kFlatLens = 2 * kDegree;
 /** [m] */
 const kDistanceMin = 5;
-
-function basisOf({ targetX, targetY, distance, turn, pitch }: CameraPose): Basis {
-  const sinTurn = Math.sin(turn);
-  const cosTurn = Math.cos(turn);
-  const sinPitch = Math.sin(pitch);
-  const cosPitch = Math.cos(pitch);
-  const forward = [-sinTurn * cosPitch, cosTurn * cosPitch, -sinPitch] as const;
-  return {
-    eye: [targetX - forward[0] * distance, targetY - forward[1] * distance, -forward[2] * distance],
-    forward,
-    right: [cosTurn, sinTurn, 0],
-    up: [-sinTurn * sinPitch, cosTurn * sinPitch, cosPitch],
-  };
-}
 
 export class CameraController implements CameraControls, GroundSight {
   private pose_: CameraPose = { targetX: 0, targetY: 0, distance: 40, turn: 0.33, pitch: 46 * kDegree };

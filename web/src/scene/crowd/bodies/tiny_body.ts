@@ -9,7 +9,7 @@ import type { Rig } from './rig';
 import { jointIndex } from '../../../model/skeleton';
 
 interface Joints {
-  at(joint: string, up?: number): Point;
+  readonly at: (joint: string, up?: number) => Point;
   readonly tube: TubeMaker;
 }
 
@@ -29,17 +29,22 @@ function jointsOf({ bind, scale }: Rig): Joints {
   return { at, tube };
 }
 
-const { farHead, farShirt, farLegs } = kRegion;
-
 function tinyTubes({ at, tube }: Joints): Tube[] {
   const sides = (['Left', 'Right'] as const).flatMap((side) => [
-    tube(`${side}UpLeg`, at(`${side}UpLeg`, 0.08), at(`${side}Foot`, -0.08), [0.11, 0.075], [0.11, 0.08], farLegs),
-    tube(`${side}Arm`, at(`${side}Arm`), at(`${side}Hand`), [0.08, 0.065], [0.07, 0.06], farShirt),
+    tube(
+      `${side}UpLeg`,
+      at(`${side}UpLeg`, 0.08),
+      at(`${side}Foot`, -0.08),
+      [0.11, 0.075],
+      [0.11, 0.08],
+      kRegion.farLegs,
+    ),
+    tube(`${side}Arm`, at(`${side}Arm`), at(`${side}Hand`), [0.08, 0.065], [0.07, 0.06], kRegion.farShirt),
   ]);
   return [
-    tube('Spine', at('Hips', -0.02), at('Neck'), [0.15, 0.22], [0.11, 0.13], farShirt),
-    tube('Head', at('Head', -0.06), at('Head', 0.11), [0.09, 0.15], [0.1, 0.15], farHead),
-    tube('Head', at('Head', 0.09), at('Head', 0.24), [0.15, 0.1], [0.15, 0.1], farHead),
+    tube('Spine', at('Hips', -0.02), at('Neck'), [0.15, 0.22], [0.11, 0.13], kRegion.farShirt),
+    tube('Head', at('Head', -0.06), at('Head', 0.11), [0.09, 0.15], [0.1, 0.15], kRegion.farHead),
+    tube('Head', at('Head', 0.09), at('Head', 0.24), [0.15, 0.1], [0.15, 0.1], kRegion.farHead),
     ...sides,
   ];
 }
@@ -47,10 +52,17 @@ function tinyTubes({ at, tube }: Joints): Tube[] {
 /** Arms are too thin to be seen: the trunk is as wide as with them. */
 function speckTubes({ at, tube }: Joints): Tube[] {
   return [
-    tube('Spine', at('Hips', -0.04), at('Neck', 0.02), [0.17, 0.27], [0.13, 0.17], farShirt),
-    tube('Head', at('Head', -0.06), at('Head', 0.24), [0.17, 0.15], [0.17, 0.15], farHead),
+    tube('Spine', at('Hips', -0.04), at('Neck', 0.02), [0.17, 0.27], [0.13, 0.17], kRegion.farShirt),
+    tube('Head', at('Head', -0.06), at('Head', 0.24), [0.17, 0.15], [0.17, 0.15], kRegion.farHead),
     ...(['Left', 'Right'] as const).map((side) =>
-      tube(`${side}UpLeg`, at(`${side}UpLeg`, 0.08), at(`${side}Foot`, -0.08), [0.12, 0.09], [0.12, 0.09], farLegs),
+      tube(
+        `${side}UpLeg`,
+        at(`${side}UpLeg`, 0.08),
+        at(`${side}Foot`, -0.08),
+        [0.12, 0.09],
+        [0.12, 0.09],
+        kRegion.farLegs,
+      ),
     ),
   ];
 }
