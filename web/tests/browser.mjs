@@ -2,6 +2,7 @@
 //
 //     always      each case in the first of its sizes, `everySize` ones in all, `release` ones in none: what a push may break
 //     --all       all cases in all of their sizes: a release
+//     --stats     only what crowds of 300 to 10,000 cost the page on a phone and a tablet
 import * as areas from './cases/areas.mjs';
 import * as build from './cases/build.mjs';
 import * as buildKeys from './cases/build_keys.mjs';
@@ -9,6 +10,7 @@ import * as buildPeople from './cases/build_people.mjs';
 import * as buildCorners from './cases/build_corners.mjs';
 import * as camera from './cases/camera.mjs';
 import * as directors from './cases/directors.mjs';
+import * as crowdCosts from './cases/crowd_costs.mjs';
 import * as demonstration from './cases/demonstration.mjs';
 import * as exports from './cases/exports.mjs';
 import * as feedback from './cases/feedback.mjs';
@@ -57,7 +59,7 @@ const kOpen = { scenario: 'scenarios/open.json', room: true };
 const kTablets = ['desktop', 'landscape', 'portrait'];
 
 /** Name, test, sizes, and options of the page. `room`: zoomed out, to have room to drag; `shared`: one page serves all such
- * cases of a size; `counts`: calls of WebGL are counted; a `scenario` gets a server of its own; `bare`: the test starts its own
+ * cases of a size; `counts`: calls of WebGL are counted; `ratio`: device px per CSS px; a `scenario` gets a server of its own; `bare`: the test starts its own
  * servers and pages; `everySize`: what it looks at depends on the size of the screen most; `release`: it takes long and seldom fails alone. */
 const kCases = [
   ['latency', session.latency, ['desktop'], {}],
@@ -232,6 +234,7 @@ const kCases = [
     ['desktop', 'portrait'],
     { search: '?quality=full&stats', counts: true, made: { count: 10000, near: 100 }, release: true },
   ],
+  ...crowdCosts.kCostCases,
   ['growing crowd', scenarios.growingCrowd, ['desktop'], { scenario: 'scenarios/open.json' }],
   ['two groups', scenarios.twoGroups, ['desktop'], { scenario: 'web/tests/scenarios/two-groups.json', room: true }],
   [
