@@ -78,7 +78,7 @@ export class LazyCursor {
   /** The keys go on to the ground, where the cursor is shown. */
   focus(): void {
     this.parts_?.canvas.focus();
-    void this.loaded().then((cursor) => cursor.show());
+    this.use((cursor) => cursor.show());
   }
 
   /** Where it is shown; null while it is away. */
