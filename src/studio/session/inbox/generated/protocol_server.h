@@ -239,12 +239,13 @@ struct TakeState {
     bool loop = false;
     bool stored = false;  ///< This Muster simulates it otherwise: it plays from its stored frames and cannot be changed.
     std::vector<SpeedPiece> speeds;
+    std::vector<CameraKey> camera;
     std::vector<TakeMark> marks;
 
     /// Lets an archive read or write the fields.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(open, name, title, steps, stepTime, from, to, loop, stored, speeds, marks);
+        archive(open, name, title, steps, stepTime, from, to, loop, stored, speeds, camera, marks);
     }
 };
 
@@ -488,10 +489,26 @@ struct Said {
     }
 };
 
+/// All that is told to whom in the open take, as soon as it has been read; again whenever it changes.
+struct TakeTracks {
+    static constexpr std::uint8_t kNumber = 27;  ///< First byte of the message.
+    std::uint32_t revision = 0;
+    std::vector<TakeTrack> tracks;  ///< In the order of their ids.
+    std::vector<TakeBlock> blocks;  ///< In the order in which they begin.
+    std::string undo;  ///< What the last change was; empty: there is none to take back.
+    std::string redo;  ///< What can be done again.
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(revision, tracks, blocks, undo, redo);
+    }
+};
+
 /// Any message of the server; the index is its number.
 using ServerMessage = std::variant<
     Welcome, Scene, Motions, GroupMesh, Frame, Overlay, Notice, Pong, TakePath, EditHistory, Forecasts,
     TakeState, TakeReady, TakeKept, Directors, Marks, StudyForm, StudyState, Places, StageTimes, Standings,
-    SharedWorld, Ask, AskAnswered, Scenarios, PlaceKept, Said>;
+    SharedWorld, Ask, AskAnswered, Scenarios, PlaceKept, Said, TakeTracks>;
 
 }  // namespace muster::protocol
