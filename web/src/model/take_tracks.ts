@@ -69,7 +69,7 @@ export function ticksOf(
   const every = kTicks.find((one) => (width * one) / Math.max(1e-9, seconds) >= kLeastTick) ?? 7200;
   const steps: number[] = [];
   for (let k = Math.ceil((from * stepTime) / every - 1e-9); k * every <= to * stepTime + 1e-9; ++k)
-    steps.push(Math.round((k * every) / stepTime));
+    steps.push(Math.max(0, Math.round((k * every) / stepTime)));
   return { steps, every };
 }
 
