@@ -98,7 +98,12 @@ export async function tracks(studio, byMouse) {
   await studio.shot('tracks-moved');
   if (byMouse) await page.keyboard.press('Control+z');
   else await page.locator('.tracks-undo').click();
-  await studio.until('all as before', () => document.querySelector('.tracks-redo')?.ariaDisabled !== 'true', null, 60000);
+  await studio.until(
+    'all as before',
+    () => document.querySelector('.tracks-redo')?.ariaDisabled !== 'true',
+    null,
+    60000,
+  );
   await read(studio, 2);
   expect((await beginsAt(studio, 1)) === began, 'the block is back');
   expect(away(before, await middleAt(studio, held, 1)) < 1e-3, 'and so is its group');
@@ -142,9 +147,7 @@ export async function cameraCut(studio) {
   await at(20);
   await keep.click();
   const first = await at(140);
-  await page.evaluate(() =>
-    globalThis.__muster.view.camera.zoomAt({ x: innerWidth / 2, y: innerHeight / 2 }, 0.6),
-  );
+  await page.evaluate(() => globalThis.__muster.view.camera.zoomAt({ x: innerWidth / 2, y: innerHeight / 2 }, 0.6));
   await keep.click();
   const last = await pose();
   const near = (a, b) => Math.abs(a.distance - b.distance) < 0.02 * b.distance;

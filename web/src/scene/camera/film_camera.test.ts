@@ -1,5 +1,16 @@
 import { describe, expect, it } from 'vitest';
-import { keysOf, poseAt, readKeys, shotsOf, toldKeys, withCut, withKey, withKeyAt, withoutKey, type CameraKey } from './film_camera';
+import {
+  keysOf,
+  poseAt,
+  readKeys,
+  shotsOf,
+  toldKeys,
+  withCut,
+  withKey,
+  withKeyAt,
+  withoutKey,
+  type CameraKey,
+} from './film_camera';
 
 const pose = (targetX: number, distance = 10, turn = 0) => ({ targetX, targetY: 0, distance, turn, pitch: 1 });
 const keys: readonly CameraKey[] = [

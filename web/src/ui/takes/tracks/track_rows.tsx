@@ -46,7 +46,7 @@ function spoken(block: TakeBlock, begin: number, end: number, stepTime: number):
   return end > begin ? `${block.label}, ${from} to ${formatClock(end * stepTime)}` : `${block.label}, ${from}`;
 }
 
-function Block({ state, block, line }: { state: TracksState; block: TakeBlock; line: number }): VNode {
+function Block({ state, actions, block, line }: RowsProps & { block: TakeBlock; line: number }): VNode {
   const { shown, width, take, drag, chosen } = state;
   const change = drag && drag.edit !== 'key' && drag.id === block.id ? drag : null;
   const copies = change?.edit === 'copy';
@@ -65,6 +65,7 @@ function Block({ state, block, line }: { state: TracksState; block: TakeBlock; l
         data-moved={(change !== null && !copies) || undefined}
         aria-label={spoken(block, begin, end, take.stepTime)}
         aria-pressed={isChosen}
+        onClick={() => actions.choose({ block: block.id })}
         style={{ left: `${left}px`, width: `${breadth}px`, top: `${2 + line * kLine}px`, '--wait': `${waits}px` }}
       >
         {/* What begins before the part that is shown is named where it can be seen. */}
@@ -101,7 +102,7 @@ function Lane(props: { name: string; class?: string; height?: number; children: 
   );
 }
 
-function Row({ row, state }: { row: TrackRow; state: TracksState }): VNode {
+function Row({ row, state, actions }: RowsProps & { row: TrackRow }): VNode {
   const { shown, width } = state;
   const { track, blocks } = row;
   const name = track.name || `Group ${track.group}`;
@@ -122,7 +123,7 @@ function Row({ row, state }: { row: TrackRow; state: TracksState }): VNode {
         {x(track.from) > 0 && <span class="track-absent" style={{ left: 0, width: `${x(track.from)}px` }} />}
         {x(track.to) < width && <span class="track-absent" style={{ left: `${x(track.to)}px`, right: 0 }} />}
         {blocks.map((block, k) => (
-          <Block key={block.id} state={state} block={block} line={lines[k]!} />
+          <Block key={block.id} state={state} actions={actions} block={block} line={lines[k]!} />
         ))}
       </Lane>
     </div>
@@ -183,6 +184,7 @@ function CameraRow({ state, actions }: RowsProps): VNode {
             data-cut={cut || undefined}
             aria-label={`${cut ? 'Cut to view' : 'View'} ${k + 1}, ${formatClock(stepOf(step) * take.stepTime)}`}
             aria-pressed={chosen !== null && 'key' in chosen && chosen.key === step}
+            onClick={() => actions.choose({ key: step })}
             style={{ left: `${xOf(shown, width, stepOf(step))}px` }}
           />
         ))}
@@ -196,7 +198,10 @@ export function TrackRows({ state, actions }: RowsProps): VNode {
   return (
     <>
       <Ruler state={state} />
-      {tracks && rowsOf(tracks, take.steps).map((row) => <Row key={row.track.group} row={row} state={state} />)}
+      {tracks &&
+        rowsOf(tracks, take.steps).map((row) => (
+          <Row key={row.track.group} row={row} state={state} actions={actions} />
+        ))}
       <CameraRow state={state} actions={actions} />
     </>
   );

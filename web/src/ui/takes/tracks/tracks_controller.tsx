@@ -35,6 +35,9 @@ export interface TracksShown {
   readonly films: boolean;
 }
 
+/** By what a block is found again in a changed take. */
+type BlockFacts = Pick<TakeBlock, 'group' | 'label' | 'begin'>;
+
 /** Keys that move something by little count together until none comes for so long [ms]. */
 const kRests = 600;
 const kReading = 'The take is being read…';
@@ -53,10 +56,10 @@ export class TracksController implements TrackActions {
   private width_ = 0;
   private chosen_: Chosen = null;
   private drag_: TrackDrag | null = null;
-  private held_ = -1;
+  private held_: BlockFacts | null = null;
   private words_ = kReading;
   /** A change that the server makes, and the block that comes of it. */
-  private waits_: Pick<TakeBlock, 'group' | 'label' | 'begin'> | null | undefined;
+  private waits_: BlockFacts | null | undefined;
   private rest_ = 0;
   private open_ = false;
 
@@ -88,17 +91,23 @@ export class TracksController implements TrackActions {
     this.shown_ = shown;
     const { take } = shown;
     if (!take) return this.forget();
+    if (before.take && before.take.name !== take.name && this.waits_ === undefined) this.anotherTake();
     if (!before.take || before.take.steps !== take.steps)
       this.window_ = before.take ? fitted(this.window_, before.take.steps, take.steps) : { from: 0, to: take.steps };
     if (before.take !== take || before.keys !== shown.keys || before.films !== shown.films) this.draw();
     else if (before.step !== shown.step) this.placeHead();
   }
 
-  private forget(): void {
+  private anotherTake(): void {
     this.tracks_ = null;
     this.chosen_ = this.drag_ = null;
-    this.waits_ = undefined;
+    this.held_ = null;
     this.words_ = kReading;
+  }
+
+  private forget(): void {
+    this.anotherTake();
+    this.waits_ = undefined;
     if (this.store_.state.tracks) this.store_.set({ tracks: false });
   }
 
@@ -251,11 +260,13 @@ export class TracksController implements TrackActions {
   }
 
   copy(): void {
-    if (this.chosen_ && 'block' in this.chosen_) this.held_ = this.chosen_.block;
+    const { chosen_: chosen } = this;
+    if (chosen && 'block' in chosen) this.held_ = this.tracks_?.blocks.find(({ id }) => id === chosen.block) ?? null;
   }
 
   paste(): void {
-    if (this.held_ >= 0) this.copyTo(this.held_, 0);
+    const held = this.held_ && foundAgain(this.tracks_?.blocks ?? [], this.held_);
+    if (held) this.copyTo(held.id, 0);
   }
 
   remove(): void {
