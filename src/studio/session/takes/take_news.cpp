@@ -13,7 +13,10 @@ bool before(const Command& a, const Command& b) {
 
 TakeNews::TakeNews(const Take& take) : refused_(&before) {
     std::uint32_t id = 0;
-    for (const GroupDef& group : take.def.groups) groups_[++id] = {GroupId{id}, group.name, 0, kNever};
+    for (const GroupDef& group : take.def.groups) {
+        ++id;
+        groups_[id] = {GroupId{id}, group.name, 0, kNever};
+    }
 }
 
 void TakeNews::observe(const World& world) {
