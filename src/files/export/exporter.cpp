@@ -186,7 +186,7 @@ Status exportTake(const Take& take, const ClipLibrary& library, const ExportDef&
     if (!times.ok()) return times.status();
     auto start = World::create(take.def, part.threads);
     if (!start.ok()) return start.status();
-    const std::size_t chosen = ChosenPeople(part).countIn(*start);
+    const std::size_t chosen = ChosenPeople(part).idsIn(*start).size();
     const ExportInfo info{take.def.name, part.fps, part.from, times->size(), &*start, &library, chosen};
     if (Status s = exporter.begin(info); !s.ok()) return s;
     Resampler resampler(library, part, std::move(*times), exporter);
