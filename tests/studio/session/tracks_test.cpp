@@ -54,9 +54,7 @@ std::vector<std::uint8_t> drawn() {
     Recorded recorded;
     for (int i = 0; i <= 120; ++i) {
         const Vec2 at{-20.0 + i / 40.0, 10.0};
-        const TouchPhase phase = i == 0     ? TouchPhase::Down
-                                 : i == 120 ? TouchPhase::Up
-                                            : TouchPhase::Move;
+        const TouchPhase phase = i == 0 ? TouchPhase::Down : i == 120 ? TouchPhase::Up : TouchPhase::Move;
         recorded.client.touchAt(phase, at, 10.0 + i / 60.0);
         recorded.passes(1.0 / 60.0);
     }
@@ -76,14 +74,14 @@ std::string refusal(const Watcher& watcher) {
 
 }  // namespace
 
-TEST_CASE("tracks: a take is told as blocks of its groups, as people call them") {
+TEST_CASE("tracks: a take is found as blocks of its groups, as people call them") {
     Watcher watcher(directed());
-    const protocol::TakeTracks told = watcher.tracks();
-    REQUIRE(told.tracks.size() == 2);
-    CHECK(told.tracks[0].name == "North");
-    CHECK(told.tracks[1].to == watcher.client.takes.back().steps);
-    REQUIRE(told.blocks.size() == 2);
-    const protocol::TakeBlock &move = told.blocks[0], &ring = told.blocks[1];
+    const protocol::TakeTracks found = watcher.tracks();
+    REQUIRE(found.tracks.size() == 2);
+    CHECK(found.tracks[0].name == "North");
+    CHECK(found.tracks[1].to == watcher.client.takes.back().steps);
+    REQUIRE(found.blocks.size() == 2);
+    const protocol::TakeBlock &move = found.blocks[0], &ring = found.blocks[1];
     CHECK(move.label == "Move to Fountain");
     CHECK(move.kind == TakeBlockKind::Order);
     CHECK(move.group == 1);
@@ -94,7 +92,7 @@ TEST_CASE("tracks: a take is told as blocks of its groups, as people call them")
     CHECK(ring.label == "Form a ring");
     CHECK(ring.group == 2);
     CHECK(ring.begin == 120);
-    CHECK(told.undo.empty());
+    CHECK(found.undo.empty());
 }
 
 TEST_CASE("tracks: a moved order is carried out later, arrives later, and is taken back byte for byte") {
@@ -105,14 +103,14 @@ TEST_CASE("tracks: a moved order is carried out later, arrives later, and is tak
     const Vec2 at300 = watcher.path(1)[20];
     watcher.edit(TrackEdit::Move, 0, was.begin + 180);
     CHECK(watcher.client.notices.empty());
-    const protocol::TakeTracks told = watcher.tracks();
+    const protocol::TakeTracks found = watcher.tracks();
     // The ring begins first now.
-    REQUIRE(told.blocks.size() == 2);
-    CHECK(told.blocks[0].label == "Form a ring");
-    CHECK(told.blocks[1].begin == was.begin + 180);
-    CHECK(told.blocks[1].end == was.end + 180);
+    REQUIRE(found.blocks.size() == 2);
+    CHECK(found.blocks[0].label == "Form a ring");
+    CHECK(found.blocks[1].begin == was.begin + 180);
+    CHECK(found.blocks[1].end == was.end + 180);
     CHECK(watcher.path(1)[20].x < at300.x - 2.0);
-    CHECK(told.undo == "Move “Move to Fountain”");
+    CHECK(found.undo == "Move “Move to Fountain”");
     CHECK(watcher.client.takes.back().title == "Two groups (changed)");
     const auto changed = *watcher.session.take();
     CHECK(changed != before);
@@ -120,11 +118,11 @@ TEST_CASE("tracks: a moved order is carried out later, arrives later, and is tak
 
     watcher.edit(TrackEdit::Undo);
     CHECK(*watcher.session.take() == before);
-    CHECK(watcher.tracks().redo == told.undo);
+    CHECK(watcher.tracks().redo == found.undo);
     watcher.edit(TrackEdit::Redo);
     CHECK(*watcher.session.take() == changed);
     REQUIRE(watcher.tracks().blocks.size() == 2);
-    CHECK(watcher.tracks().blocks[1].end == told.blocks[1].end);
+    CHECK(watcher.tracks().blocks[1].end == found.blocks[1].end);
     // Back at its time, everything ends as it did.
     watcher.edit(TrackEdit::Move, 1, was.begin);
     CHECK(watcher.tracks().blocks[0].end == was.end);
@@ -151,37 +149,37 @@ TEST_CASE("tracks: a copy is another order, also for another group; a removed on
     Watcher watcher(directed());
     watcher.edit(TrackEdit::Copy, 0, 240, 2);
     CHECK(watcher.client.notices.empty());
-    protocol::TakeTracks told = watcher.tracks();
-    REQUIRE(told.blocks.size() == 3);
-    CHECK(told.blocks[2].group == 2);
-    CHECK(told.blocks[2].label == "Move to Fountain");
+    protocol::TakeTracks found = watcher.tracks();
+    REQUIRE(found.blocks.size() == 3);
+    CHECK(found.blocks[2].group == 2);
+    CHECK(found.blocks[2].label == "Move to Fountain");
     CHECK(watcher.path(2).back().x > -10.0);
     watcher.edit(TrackEdit::Remove, 0);
-    told = watcher.tracks();
-    REQUIRE(told.blocks.size() == 2);
+    found = watcher.tracks();
+    REQUIRE(found.blocks.size() == 2);
     CHECK(distance(watcher.path(1).back(), {-20, 10}) < 0.5);
     CHECK(watcher.path(2).back().x > -10.0);
 }
 
 TEST_CASE("tracks: a gesture is one block, which can be spread in time and moved") {
     Watcher watcher(drawn());
-    protocol::TakeTracks told = watcher.tracks();
-    REQUIRE(told.blocks.size() == 1);
-    CHECK(told.blocks[0].kind == TakeBlockKind::Gesture);
-    CHECK(told.blocks[0].label == "Touch");
-    CHECK(told.blocks[0].group == 1);
-    CHECK(told.blocks[0].end - told.blocks[0].begin == 120);
+    protocol::TakeTracks found = watcher.tracks();
+    REQUIRE(found.blocks.size() == 1);
+    CHECK(found.blocks[0].kind == TakeBlockKind::Gesture);
+    CHECK(found.blocks[0].label == "Touch");
+    CHECK(found.blocks[0].group == 1);
+    CHECK(found.blocks[0].end - found.blocks[0].begin == 120);
     const auto before = watcher.path(1);
-    watcher.edit(TrackEdit::Stretch, 0, told.blocks[0].begin + 240);
+    watcher.edit(TrackEdit::Stretch, 0, found.blocks[0].begin + 240);
     CHECK(watcher.client.notices.empty());
-    told = watcher.tracks();
-    REQUIRE(told.blocks.size() == 1);
-    CHECK(told.blocks[0].end - told.blocks[0].begin == 240);
+    found = watcher.tracks();
+    REQUIRE(found.blocks.size() == 1);
+    CHECK(found.blocks[0].end - found.blocks[0].begin == 240);
     const auto slow = watcher.path(1);
     CHECK(slow[10].x < before[10].x - 0.3);
     CHECK(distance(slow.back(), before.back()) < 0.5);
-    watcher.edit(TrackEdit::Move, 0, told.blocks[0].begin + 60);
-    CHECK(watcher.tracks().blocks[0].begin == told.blocks[0].begin + 60);
+    watcher.edit(TrackEdit::Move, 0, found.blocks[0].begin + 60);
+    CHECK(watcher.tracks().blocks[0].begin == found.blocks[0].begin + 60);
     CHECK(distance(watcher.path(1).back(), before.back()) < 0.5);
 }
 
@@ -200,17 +198,17 @@ TEST_CASE("tracks: an order takes the time that it is given, by its pace") {
 
 TEST_CASE("tracks: what later blocks need stays before them") {
     Recorded recorded;
-    recorded.give(R"([{"kind":"split","group":1,"by":"shares","shares":[1,1],"abreast":true}])");
+    recorded.client.send(commandsOf(SplitGroup{.group = {1}, .by = SplitBy::Shares, .shares = {1, 1}}));
     recorded.passes(2.0);
     recorded.give(R"([{"kind":"move","group":3,"x":0,"y":0}])");
     recorded.passes(3.0);
     Watcher watcher(recorded.take());
     const auto before = *watcher.session.take();
-    const protocol::TakeTracks told = watcher.tracks();
-    REQUIRE(told.tracks.size() == 3);
-    REQUIRE(told.blocks.size() == 2);
-    CHECK(told.blocks[0].label == "Split");
-    CHECK(told.blocks[1].group == 3);
+    const protocol::TakeTracks found = watcher.tracks();
+    REQUIRE(found.tracks.size() == 3);
+    REQUIRE(found.blocks.size() == 2);
+    CHECK(found.blocks[0].label == "Split");
+    CHECK(found.blocks[1].group == 3);
     watcher.edit(TrackEdit::Move, 1, 10);
     CHECK(refusal(watcher).find("cannot begin before its group exists") != std::string::npos);
     watcher.edit(TrackEdit::Move, 0, 200);

@@ -54,7 +54,7 @@ std::string formed(const FormationDef& formation) {
     return std::string("Form a ") + wordOf(kFormationKindWords, formation.kind);
 }
 
-struct Label {
+struct BlockLabel {
     const WorldDef& place;
 
     std::string operator()(const GiveOrder& give) const {
@@ -90,7 +90,9 @@ struct Label {
     std::string operator()(const RemoveThing& remove) const {
         return std::string("Remove ") + wordOf(kThingKindWords, remove.thing);
     }
-    std::string operator()(const ChangeCharacters& change) const { return change.driver ? "Own path" : "Bodies"; }
+    std::string operator()(const ChangeCharacters& change) const {
+        return change.driver ? "Own path" : "Bodies";
+    }
     std::string operator()(const WriteMotion&) const { return "Own path"; }
     template <class Other>
     std::string operator()(const Other& other) const {
@@ -107,7 +109,7 @@ struct Label {
 }  // namespace
 
 std::string blockLabel(const CommandBody& body, const WorldDef& place) {
-    return std::visit(Label{place}, body);
+    return std::visit(BlockLabel{place}, body);
 }
 
 }  // namespace muster

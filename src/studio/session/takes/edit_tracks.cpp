@@ -55,7 +55,8 @@ public:
             return invalidArgument("found block " + std::to_string(change_.block) + ", expected one of " +
                                    std::to_string(blocks_.size()));
         block_ = &blocks_[change_.block];
-        for (std::size_t k = 0; k < take_.commands.size(); ++k) draft_.push_back({take_.commands[k], k, false});
+        for (std::size_t k = 0; k < take_.commands.size(); ++k)
+            draft_.push_back({take_.commands[k], k, false});
         const Status done = apply();
         if (!done.ok()) return done;
         std::stable_sort(draft_.begin(), draft_.end(), [](const DraftCommand& a, const DraftCommand& b) {
@@ -103,7 +104,8 @@ private:
     // Another moment.
 
     Status put(bool copy) {
-        if (!block_->moves) return refused("The path that one person was given holds for its own moment only.");
+        if (!block_->moves)
+            return refused("The path that one person was given holds for its own moment only.");
         if (change_.step >= steps_)
             return refused("A block cannot begin after the end of the take at " + clock(steps_) + ".");
         std::vector<DraftCommand> moved;
@@ -196,10 +198,10 @@ private:
                 if (group == groups.end())
                     status = refused("There is no group " + std::to_string(id) + ".");
                 else if (step < group->from)
-                    status = refused("A block cannot begin before its group exists: " + called(*group) +
+                    status = refused("A block cannot begin before its group exists: " + named(*group) +
                                      " comes at " + clock(group->from) + ".");
                 else if (step >= group->to && !ends)
-                    status = refused("A block cannot begin after its group has ended: " + called(*group) +
+                    status = refused("A block cannot begin after its group has ended: " + named(*group) +
                                      " ends at " + clock(group->to) + ".");
             };
             std::visit([&](auto& c) { visitIds(c, visit); }, one.command.body);
@@ -228,7 +230,8 @@ private:
     Status spread() {
         if (block_->end == block_->begin)
             return refused("A touch that only comes down and lifts has no time that could be changed.");
-        const double share = static_cast<double>(change_.step - block_->begin) / (block_->end - block_->begin);
+        const double share = static_cast<double>(change_.step - block_->begin) /
+                             (block_->end - block_->begin);
         const auto spreadFrom = [&](double value, double from) { return from + (value - from) * share; };
         std::vector<DraftCommand> moved = take();
         const double* const began = timeOf(moved.front().command.body);
@@ -249,7 +252,8 @@ private:
             return {};
         }
         if (block_->open)
-            return refused("“" + block_->label + "” does not arrive within the take, so it has no time to change.");
+            return refused("“" + block_->label +
+                           "” does not arrive within the take, so it has no time to change.");
         const double way = wayOf(*block_);
         if (way < kLeastWay) return refused("“" + block_->label + "” goes nowhere, so it has no pace.");
         // What does not depend on the pace: setting out, and closing up at the end.
@@ -274,24 +278,24 @@ private:
     Status needsMet() const {
         const BrokenNeed broken = brokenNeed(take_, news_, draft_);
         if (broken.needs >= take_.commands.size()) return {};
-        const std::string later = told(broken.needs);
+        const std::string later = called(broken.needs);
         if (change_.edit == TrackEdit::Remove)
-            return refused(told(broken.made) + " makes what " + later + " needs; remove that first.");
+            return refused(called(broken.made) + " makes what " + later + " needs; remove that first.");
         if (change_.edit == TrackEdit::Copy)
-            return refused("A copy of " + told(broken.made) + " cannot begin before " + later +
+            return refused("A copy of " + called(broken.made) + " cannot begin before " + later +
                            ", which needs what comes of those before it.");
-        return refused(told(broken.made) + " and " + later +
+        return refused(called(broken.made) + " and " + later +
                        " have to stay in this order: the second needs what comes of the first.");
     }
     /// "“Split” at 0:07".
-    std::string told(std::size_t command) const {
+    std::string called(std::size_t command) const {
         for (const TakeBlock& block : blocks_)
             if (std::find(block.commands.begin(), block.commands.end(), command) != block.commands.end())
                 return "“" + block.label + "” at " + clock(block.begin);
         return "what was done at " + clock(take_.commands[command].step);
     }
     std::string clock(std::uint32_t step) const { return clockOf(step * dt_); }
-    static std::string called(const TakeNews::GroupTimes& group) {
+    static std::string named(const TakeNews::GroupTimes& group) {
         return group.name.empty() ? "group " + std::to_string(group.id.value) : group.name;
     }
     void longer(std::int64_t end) {

@@ -8,18 +8,18 @@ namespace muster {
 void Session::Impl::sendTracks(SessionClient& client) {
     if (!client.watchesTracks || client.sentTracks == takeNumber || !player || player->preparing()) return;
     client.sentTracks = takeNumber;
-    protocol::TakeTracks told;
-    told.revision = takeNumber;
+    protocol::TakeTracks answer;
+    answer.revision = takeNumber;
     for (const TakeNews::GroupTimes& group : player->news().groups())
-        told.tracks.push_back(
+        answer.tracks.push_back(
             {group.id.value, group.name, group.from, std::min(group.to, player->steps())});
     std::uint32_t id = 0;
     for (const TakeBlock& block : takeBlocks(player->take(), player->paths(), player->news()))
-        told.blocks.push_back({id++, block.group.value, block.kind, block.begin, block.begun, block.end,
-                               block.label, block.moves, block.stretches});
-    told.undo = versions.undo();
-    told.redo = versions.redo();
-    client.outbox.push_back(protocol::encode(told));
+        answer.blocks.push_back({id++, block.group.value, block.kind, block.begin, block.begun, block.end,
+                                 block.label, block.moves, block.stretches});
+    answer.undo = versions.undo();
+    answer.redo = versions.redo();
+    client.outbox.push_back(protocol::encode(answer));
 }
 
 Status Session::Impl::changeTracks(const protocol::EditTrack& message) {
@@ -57,7 +57,8 @@ Status Session::Impl::stepVersion(bool redo) {
     TakeVersions kept = versions;
     const auto shown = kept.step(present(), redo);
     if (!shown)
-        return {StatusCode::NotFound, redo ? "there is nothing to do again" : "there is nothing to take back"};
+        return {StatusCode::NotFound,
+                redo ? "there is nothing to do again" : "there is nothing to take back"};
     const std::uint32_t now = world->stepCount();
     auto opened = shown->marked ? std::make_unique<TakePlayer>(shown->take, shown->fileName)
                                 : TakePlayer::marking(shown->take);
@@ -91,8 +92,8 @@ void Session::Impl::tellRefused(std::size_t before) {
     const std::size_t refused = player->news().refused();
     if (refused <= before) return;
     noticeAll(protocol::NoticeLevel::Warning, "track",
-              std::to_string(refused - before) + " of the take's commands no longer apply: " +
-                  player->news().firstRefusal() + ".");
+              std::to_string(refused - before) +
+                  " of the take's commands no longer apply: " + player->news().firstRefusal() + ".");
 }
 
 }  // namespace muster

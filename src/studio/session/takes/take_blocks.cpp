@@ -62,9 +62,8 @@ public:
         for (TakeBlock& block : blocks_)
             if (block.end > block.begin && block.kind == TakeBlockKind::Order) endOrder(block);
         for (TakeBlock& block : blocks_) block.end = std::clamp(block.end, block.begin, steps_);
-        std::stable_sort(blocks_.begin(), blocks_.end(), [](const TakeBlock& a, const TakeBlock& b) {
-            return a.begin < b.begin;
-        });
+        std::stable_sort(blocks_.begin(), blocks_.end(),
+                         [](const TakeBlock& a, const TakeBlock& b) { return a.begin < b.begin; });
         return std::move(blocks_);
     }
 
@@ -222,7 +221,7 @@ private:
     std::map<GroupId, std::uint32_t> ends_;
     std::vector<TakeBlock> blocks_;
     std::vector<Open> gestures_;
-    std::map<std::uint32_t, std::size_t> led_;  // Blocks, by client.
+    std::map<std::uint32_t, std::size_t> led_;               // Blocks, by client.
     std::map<GroupId, std::vector<std::uint32_t>> endings_;  // Steps in which the orders of before end.
     std::map<std::pair<GroupId, std::uint32_t>, std::size_t> given_;  // Orders, by group and step.
 };

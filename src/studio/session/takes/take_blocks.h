@@ -1,4 +1,4 @@
-// The commands of a take as blocks on the rows of a time line: one for each thing that a group is told.
+// The commands of a take as blocks on the rows of a time line: one for each thing that a group does.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,8 @@ struct TakeBlock {
     bool moves = true;        ///< It can begin at another time.
     bool stretches = false;   ///< It can take another time.
     std::string label;        ///< As people say it.
-    std::vector<std::size_t> commands;  ///< Indices into the take's commands, in the order in which they apply.
+    std::vector<std::size_t>
+        commands;  ///< Indices into the take's commands, in the order in which they apply.
 };
 
 /// All blocks of a take that has been simulated, in the order in which they begin.

@@ -54,14 +54,15 @@ public:
             before[index] = makers_.size();
             if (makes(take_.commands[index].body, made)) makers_.push_back(index);
         }
-        std::size_t seen = 0, kept = 0;  // Makers of the draft, and how many are the take's own in their order.
+        std::size_t seen = 0,
+                    kept = 0;  // Makers of the draft, and how many are the take's own in their order.
         std::size_t between = take_.commands.size();
         for (const DraftCommand& one : draft) {
             const std::size_t need = needed(one.command.body, made, before[one.origin]);
-            if (need > kept)
-                return {one.origin, between < take_.commands.size() ? between : makers_[kept]};
+            if (need > kept) return {one.origin, between < take_.commands.size() ? between : makers_[kept]};
             if (!makes(one.command.body, made)) continue;
-            const bool next = kept == seen && kept < makers_.size() && !one.copy && makers_[kept] == one.origin;
+            const bool next = kept == seen && kept < makers_.size() && !one.copy &&
+                              makers_[kept] == one.origin;
             if (next) ++kept;
             if (!next && between == take_.commands.size()) between = one.origin;
             ++seen;
@@ -95,9 +96,9 @@ private:
         if (id <= take_.def.groups.size()) return 0;
         const auto found = comes_.find(id);
         if (found == comes_.end()) return 0;
-        return static_cast<std::size_t>(
-            std::count_if(makers_.begin(), makers_.end(),
-                          [&](std::size_t index) { return take_.commands[index].step < found->second; }));
+        return static_cast<std::size_t>(std::count_if(makers_.begin(), makers_.end(), [&](std::size_t index) {
+            return take_.commands[index].step < found->second;
+        }));
     }
 
     const Take& take_;

@@ -1,5 +1,5 @@
-// What later commands of a take need of earlier ones: ids count up, so that who makes groups, people or things
-// has to stay in its order as long as later commands name what came of it.
+// What later commands of a take need of earlier ones: ids count up, so that who makes groups, people or
+// things has to stay in its order as long as later commands name what came of it.
 #pragma once
 
 #include <cstddef>

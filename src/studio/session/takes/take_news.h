@@ -48,7 +48,7 @@ private:
         std::uint32_t id = 0;
     };
 
-    std::map<std::uint32_t, std::vector<Given>> given_;  // By step of the command, as they were given.
+    std::map<std::uint32_t, std::vector<Given>> given_;     // By step of the command, as they were given.
     std::map<std::uint32_t, std::uint32_t> begun_, ended_;  // Steps, by id of the order.
     std::map<std::uint32_t, GroupTimes> groups_;            // By id.
     std::map<Command, std::string, bool (*)(const Command&, const Command&)> refused_;

@@ -48,8 +48,10 @@ public:
         undone_.clear();
         fileName.clear();
     }
-    std::string undo() const { return done_.empty() ? "" : done_.back().what; }    ///< What was done last.
-    std::string redo() const { return undone_.empty() ? "" : undone_.back().what; }  ///< What can be done again.
+    std::string undo() const { return done_.empty() ? "" : done_.back().what; }  ///< What was done last.
+    std::string redo() const {
+        return undone_.empty() ? "" : undone_.back().what;
+    }  ///< What can be done again.
 
     std::string fileName;  ///< The file on the shelf that changes are written to; empty before the first.
 

@@ -326,7 +326,7 @@ export interface TakeMark {
   label: string;
 }
 
-/** A row of an open take: all that one group is told. */
+/** A row of an open take: all that concerns one group. */
 export interface TakeTrack {
   /** Id; 0: what concerns the place or nobody in particular. */
   group: number;
@@ -337,7 +337,7 @@ export interface TakeTrack {
   to: number;
 }
 
-/** One thing that a group is told in the open take, with all commands that belong to it. */
+/** One thing that a group does in the open take, with all commands that belong to it. */
 export interface TakeBlock {
   /** Valid until the take changes. */
   id: number;
@@ -809,7 +809,7 @@ export interface WatchTracks {
 /** Changes a block of the open take and simulates everything again as another take, which opens; or takes such a change back. */
 export interface EditTrack {
   type: 'EditTrack';
-  /** Of the TakeTracks that told of the block. */
+  /** Of the TakeTracks that the block is from. */
   revision: number;
   edit: TrackEdit;
   /** Its id. */
@@ -1206,7 +1206,7 @@ export interface Said {
   places: PlacesFrame[];
 }
 
-/** All that is told to whom in the open take, as soon as it has been read; again whenever it changes. */
+/** Everything that somebody does in the open take, as soon as it has been read; again whenever it changes. */
 export interface TakeTracks {
   type: 'TakeTracks';
   revision: number;

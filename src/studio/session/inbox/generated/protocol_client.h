@@ -481,7 +481,7 @@ struct WatchTracks {
 /// such a change back.
 struct EditTrack {
     static constexpr std::uint8_t kNumber = 36;  ///< First byte of the message.
-    std::uint32_t revision = 0;  ///< Of the TakeTracks that told of the block.
+    std::uint32_t revision = 0;  ///< Of the TakeTracks that the block is from.
     TrackEdit edit = TrackEdit::Move;
     std::uint32_t block = 0;  ///< Its id.
     std::uint32_t step = 0;  ///< Where it begins then; for Stretch, where it ends.

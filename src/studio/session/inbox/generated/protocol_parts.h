@@ -433,7 +433,7 @@ struct TakeMark {
     }
 };
 
-/// A row of an open take: all that one group is told.
+/// A row of an open take: all that concerns one group.
 struct TakeTrack {
     std::uint32_t group = 0;  ///< Id; 0: what concerns the place or nobody in particular.
     std::string name;
@@ -447,7 +447,7 @@ struct TakeTrack {
     }
 };
 
-/// One thing that a group is told in the open take, with all commands that belong to it.
+/// One thing that a group does in the open take, with all commands that belong to it.
 struct TakeBlock {
     std::uint32_t id = 0;  ///< Valid until the take changes.
     std::uint32_t group = 0;

@@ -489,7 +489,7 @@ struct Said {
     }
 };
 
-/// All that is told to whom in the open take, as soon as it has been read; again whenever it changes.
+/// Everything that somebody does in the open take, as soon as it has been read; again whenever it changes.
 struct TakeTracks {
     static constexpr std::uint8_t kNumber = 27;  ///< First byte of the message.
     std::uint32_t revision = 0;
