@@ -34,9 +34,13 @@ export class TrackKeys {
 
   /** Who goes to a block by keys has chosen it. */
   private focused(target: HTMLElement): void {
+    if (target.matches(':focus-visible')) this.chosen(target);
+  }
+
+  private chosen(target: HTMLElement): void {
     const state = this.state_();
     const { block, key } = target.dataset;
-    if (!state || !target.matches(':focus-visible')) return;
+    if (!state) return;
     if (block !== undefined && !(state.chosen && 'block' in state.chosen && state.chosen.block === Number(block)))
       this.actions_.choose({ block: Number(block) });
     if (key !== undefined && !(state.chosen && 'key' in state.chosen && state.chosen.key === Number(key)))
@@ -51,6 +55,7 @@ export class TrackKeys {
     if (event.key === 'Escape' && state.drag) return (this.actions_.preview(null), true);
     const { block, key } = target.dataset;
     if (block === undefined && key === undefined) return false;
+    this.chosen(target);
     if (event.ctrlKey || event.metaKey) return this.control(event.key.toLowerCase());
     const step = (event.shiftKey ? 10 : 1) * (kNudge / state.take.stepTime);
     switch (event.key) {
