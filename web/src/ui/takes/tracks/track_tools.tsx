@@ -3,9 +3,8 @@
 import type { VNode } from 'preact';
 import { formatClock } from '../../../model/formatters';
 import type { TakeBlock } from '../../../protocol/messages';
-import { ToolButton } from '../../widgets/buttons';
+import { Icon, ToolButton } from '../../widgets/buttons';
 import { iconOf, type RowsProps } from './track_rows';
-import { Icon } from '../../widgets/buttons';
 
 const kHint = 'Drag a block to another time. Each change is simulated again.';
 const kEmpty = 'Nothing was told to anybody in this take.';
