@@ -140,6 +140,7 @@ export const kOpenTake: OpenTake = {
   speeds: [],
   camera: [],
   marks: [],
+  beneath: '',
 };
 
 /** The mesh of a group, of two triangles with a place in each. */

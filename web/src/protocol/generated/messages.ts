@@ -541,7 +541,7 @@ export interface Touches {
   events: TouchEvent[];
 }
 
-/** Play, pause, one step, from the start, from the start with the touches that the scenario carries, or back to the world before. */
+/** Play, pause, one step, from the start, from the start with the touches that the scenario carries, back to the world before, or to the one from which the take was opened. */
 export interface Playback {
   type: 'Playback';
   action: PlaybackAction;
@@ -1017,6 +1017,8 @@ export interface TakeState {
   speeds: SpeedPiece[];
   camera: CameraKey[];
   marks: TakeMark[];
+  /** Title of the world from which it was opened, which LeaveTake brings back; empty: there is none. */
+  beneath: string;
 }
 
 /** How far the open take has been read: seeks up to there are quick. */

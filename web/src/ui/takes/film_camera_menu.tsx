@@ -3,7 +3,7 @@
 import type { VNode } from 'preact';
 import { formatClock } from '../../model/formatters';
 import type { CameraKey } from '../../scene/camera/film_camera';
-import { ToolButton } from '../widgets/buttons';
+import { Button, ToolButton } from '../widgets/buttons';
 import { Menu } from '../widgets/menu';
 
 export interface FilmCameraActions {
@@ -34,9 +34,9 @@ function View({
 }: Pick<FilmCameraProps, 'stepTime' | 'actions'> & ViewPlace): VNode {
   return (
     <div class="camera-key">
-      <button type="button" class="soft" onClick={() => actions.showMoment(step)}>
+      <Button act={() => actions.showMoment(step)}>
         View {index + 1} at {formatClock(step * stepTime)}
-      </button>
+      </Button>
       <ToolButton
         icon="cut"
         label={`Cut to view ${index + 1}`}
@@ -70,18 +70,17 @@ export function FilmCameraMenu({ keys, on, stepTime, actions }: FilmCameraProps)
         {() => (
           <>
             <div class="speed-add">
-              <button type="button" class="soft camera-keep" onClick={() => actions.keepView()}>
+              <Button class="soft camera-keep" act={() => actions.keepView()}>
                 Keep this view here
-              </button>
-              <button
-                type="button"
+              </Button>
+              <Button
                 class="soft camera-leads"
                 disabled={keys.length === 0}
                 aria-pressed={on}
-                onClick={() => actions.filmCamera(!on)}
+                act={() => actions.filmCamera(!on)}
               >
                 Film camera
-              </button>
+              </Button>
             </div>
             {keys.map(({ step, cut = false }, index) => (
               <View key={step} step={step} index={index} cut={cut} stepTime={stepTime} actions={actions} />

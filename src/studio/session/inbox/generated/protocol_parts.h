@@ -23,7 +23,7 @@ using muster::Stance;
 using muster::Standing;
 using muster::EventKind;
 /// What a person wants of time.
-enum class PlaybackAction : std::uint8_t { Play, Pause, SingleStep, Restart, Demonstrate, GoBack };
+enum class PlaybackAction : std::uint8_t { Play, Pause, SingleStep, Restart, Demonstrate, GoBack, LeaveTake };
 /// What the ground is coloured by.
 enum class OverlayKind : std::uint8_t { None, Field, Cost, Density, Reach };
 /// What moves.
@@ -59,7 +59,7 @@ enum class TrackEdit : std::uint8_t { Move, Copy, Remove, Stretch, Undo, Redo };
 template <class Choice>
 inline constexpr std::size_t kChoices = kCountOf<Choice>;
 template <>
-inline constexpr std::size_t kChoices<PlaybackAction> = 6;
+inline constexpr std::size_t kChoices<PlaybackAction> = 7;
 template <>
 inline constexpr std::size_t kChoices<OverlayKind> = 5;
 template <>

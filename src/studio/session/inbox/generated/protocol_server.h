@@ -241,11 +241,12 @@ struct TakeState {
     std::vector<SpeedPiece> speeds;
     std::vector<CameraKey> camera;
     std::vector<TakeMark> marks;
+    std::string beneath;  ///< Title of the world from which it was opened, which LeaveTake brings back; empty: there is none.
 
     /// Lets an archive read or write the fields.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(open, name, title, steps, stepTime, from, to, loop, stored, speeds, camera, marks);
+        archive(open, name, title, steps, stepTime, from, to, loop, stored, speeds, camera, marks, beneath);
     }
 };
 
