@@ -74,7 +74,7 @@ HttpAnswer ShelfAnswers::answer(const ShelfRequest& request) {
 HttpAnswer ShelfAnswers::edit(const ShelfRequest& request) {
     const auto about = readTakeAbout(textOf(request.body), "take");
     if (!about.ok()) return failure(about.status());
-    const Status status = shelf_.edit(request.name, *about);
+    const Status status = shelf_.edit(request.name, *about, false);
     if (status.ok()) edited_(request.name, *about);
     return doneAnswer(status);
 }

@@ -254,7 +254,7 @@ Status TakeShelf::untouched(const std::string& name) const {
     return {StatusCode::Unsupported, name + ": is being recorded; stop the recording first"};
 }
 
-Status TakeShelf::edit(const std::string& name, const TakeAbout& about) {
+Status TakeShelf::edit(const std::string& name, const TakeAbout& about, bool camera) {
     if (Status s = about.check(); !s.ok()) return s;
     const std::lock_guard lock(mutex_);
     if (Status s = untouched(name); !s.ok()) return s;
@@ -262,9 +262,17 @@ Status TakeShelf::edit(const std::string& name, const TakeAbout& about) {
     if (!text.ok()) return text.status();
     const auto take = parseTake(bytesOf(*text), name);
     if (!take.ok()) return take.status();
-    const auto record = TakeEncoder::about(about);
+    TakeAbout said = about;
+    if (!camera) said.camera = take->about.camera;
+    const auto record = TakeEncoder::about(said);
     return replaceFile(path(name), std::string_view(*text).substr(0, text->size() - take->tornBytes),
                        textOf(record));
+}
+
+Status TakeShelf::replace(const std::string& name, std::span<const std::uint8_t> bytes) {
+    const std::lock_guard lock(mutex_);
+    if (Status s = untouched(name); !s.ok()) return s;
+    return replaceFile(path(name), textOf(bytes), {});
 }
 
 Status TakeShelf::putPicture(const std::string& name, std::span<const std::uint8_t> png) {

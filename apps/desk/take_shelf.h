@@ -54,7 +54,10 @@ public:
     Result<std::string> pathOf(const std::string& name) const;
     /// Says something else about a take. A record torn by a killed writer is left out. Fails with NotFound,
     /// or with Unsupported while it is recorded.
-    Status edit(const std::string& name, const TakeAbout& about);
+    /// Without `camera` its camera keys stay.
+    Status edit(const std::string& name, const TakeAbout& about, bool camera = true);
+    /// Puts other bytes in the place of a take. Fails as edit() does.
+    Status replace(const std::string& name, std::span<const std::uint8_t> bytes);
     /// Keeps a PNG picture of a take.
     Status putPicture(const std::string& name, std::span<const std::uint8_t> png);
     /// Where the picture lies. Fails with NotFound.

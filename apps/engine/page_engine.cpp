@@ -51,6 +51,9 @@ PageEngine::PageEngine(const PageEngineDef& def)
     session.keepAbout = [this](const std::string& take, const TakeAbout& about) {
         return shelf_.edit(take, about);
     };
+    session.replaceTake = [this](const std::string& take, std::span<const std::uint8_t> bytes) {
+        return shelf_.replace(take, bytes);
+    };
     session.takeTitles = [this] { return shelf_.titles(); };
     session_ = std::make_unique<Session>(std::move(session));
 }

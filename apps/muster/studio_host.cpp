@@ -53,6 +53,9 @@ Result<Session> makeSession(const StudioOptions& options, ScenarioFolder& folder
     def.keepAbout = [&shelf](const std::string& take, const TakeAbout& about) {
         return shelf.edit(take, about);
     };
+    def.replaceTake = [&shelf](const std::string& take, std::span<const std::uint8_t> bytes) {
+        return shelf.replace(take, bytes);
+    };
     def.takeTitles = [&shelf] { return shelf.titles(); };
     def.keepScenario = [&folder, &places](const WorldDef& place) -> Result<ScenarioEntry> {
         const auto path = places.put(place);

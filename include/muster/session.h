@@ -77,6 +77,8 @@ struct SessionDef {
     std::function<Result<std::unique_ptr<TakeSink>>(const std::string& name)> openSink;
     /// Keeps what is said about a take with its file on the shelf, by its name. Null where there is no shelf.
     std::function<Status(const std::string& name, const TakeAbout& about)> keepAbout;
+    /// Puts other bytes in the place of a take on the shelf. Null where there is no shelf.
+    std::function<Status(const std::string& name, std::span<const std::uint8_t> bytes)> replaceTake;
     /// Titles of all takes on the shelf. Null where there is no shelf.
     std::function<std::vector<std::string>()> takeTitles;
     /// Keeps a place by its name for good, where clients can load it from then on. Null: there is no room.
@@ -115,7 +117,8 @@ public:
     /// `director` as above.
     Status openTake(std::span<const std::uint8_t> bytes, const std::string& sourceName,
                     const std::string& fileName = {}, std::uint32_t director = 0);
-    /// What is said about the take on the shelf has changed; the open one follows where it is this.
+    /// What is said about the take on the shelf has changed but for its camera; the open one follows where it
+    /// is this.
     void takeEdited(const std::string& fileName, const TakeAbout& about);
     /// The name on the shelf of the take that is open, and of the one that is being recorded; empty for none.
     std::string openTakeName() const;

@@ -141,6 +141,18 @@ TEST_CASE("what is said about a take is in its file, and the newest word counts"
     CHECK(kept.shelf.list().front().about.title == "Second");
 }
 
+TEST_CASE("another name leaves the camera of a take alone, and other bytes take its place") {
+    Kept kept;
+    const std::string name = kept.put(madeTake(kept.base, 90));
+    const std::string first = *kept.shelf.read(name);
+    REQUIRE(kept.shelf.edit(name, {.camera = {{.step = 7, .cut = true}}}).ok());
+    REQUIRE(kept.shelf.edit(name, {.title = "Named"}, false).ok());
+    CHECK(kept.shelf.list().front().about.camera.size() == 1);
+    REQUIRE(kept.shelf.replace(name, bytesOf(first)).ok());
+    CHECK(*kept.shelf.read(name) == first);
+    CHECK(kept.shelf.replace("other.take", bytesOf(first)).code() == StatusCode::NotFound);
+}
+
 TEST_CASE("a take is moved away with its picture and back, once") {
     Kept kept;
     const std::string name = kept.put(madeTake(kept.base, 30));

@@ -47,6 +47,7 @@ import * as paths from './cases/path.mjs';
 import * as takes from './cases/takes.mjs';
 import * as things from './cases/things.mjs';
 import * as touch from './cases/touch.mjs';
+import * as tracks from './cases/tracks.mjs';
 import * as undo from './cases/undo.mjs';
 import * as words from './cases/words.mjs';
 import { chosenCases } from './support/chosen_cases.mjs';
@@ -260,6 +261,7 @@ const kCases = [
   ['takes: life of a take', takes.life, ['desktop', 'phone'], { scenario: 'web/tests/scenarios/hundred.json' }],
   ['takes: scrub and trim', takes.scrubAndTrim, ['landscape', 'phone'], { scenario: 'scenarios/open.json' }],
   ['takes: again and on top', takes.againAndOnTop, ['desktop'], { scenario: 'web/tests/scenarios/two-groups.json' }],
+  ...tracks.kTracksCases,
   ['takes: film camera', film.filmCamera, ['desktop', 'portrait', 'phone'], { ...kOpen, room: false, release: true }],
   [
     'paths: by finger',

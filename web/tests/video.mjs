@@ -54,7 +54,7 @@ try {
   await keepView(studio, first);
   await keepView(studio, last);
   const state = await studio.page.evaluate(() => globalThis.__muster.state.title);
-  await studio.send({ type: 'EditTake', title: state, from: first, to: last, loop: false, speeds: [] });
+  await studio.send({ type: 'EditTake', title: state, from: first, to: last, loop: false, speeds: [], camera: [] });
   await studio.wait(500);
   await studio.page.locator('.time-export').click();
   await studio.page.locator('.export-dialog input[value="film"]').check();

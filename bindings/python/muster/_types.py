@@ -32,6 +32,7 @@ __all__ = [
     "Body",
     "BodyBuild",
     "Box",
+    "CameraKey",
     "ChangeCharacters",
     "ChangeCheckpoint",
     "ChangeGroup",
@@ -2214,6 +2215,29 @@ class SpeedPiece:
 
 
 @dataclass(slots=True)
+class CameraKey:
+    """Where a film's camera is at a moment of a take. From one to the next it moves with ease.
+
+    Attributes:
+        step: Number of steps done.
+        x: The point on the ground that it looks at [m].
+        y: As above [m].
+        distance: From there, above 0 [m].
+        turn: Round the vertical [rad].
+        pitch: How steeply it looks down [rad].
+        cut: True: the camera is here at once, and rests before.
+    """
+
+    step: int = 0
+    x: float = 0.0
+    y: float = 0.0
+    distance: float = 1.0
+    turn: float = 0.0
+    pitch: float = 0.0
+    cut: bool = False
+
+
+@dataclass(slots=True)
 class TakeAbout:
     """What is said about a take: its name, and the part of it that is to be shown. It changes nothing of what was
         recorded.
@@ -2223,12 +2247,14 @@ class TakeAbout:
         from_: Steps before the part begins.
         to: Steps after which the part ends; kTakeEnd for the end of the take.
         speeds: In ascending order, apart from each other; at most kMaxSpeedPieces.
+        camera: In ascending order of steps; at most kMaxCameraKeys.
     """
 
     title: str = ""
     from_: int = 0
     to: int = 0xffffffff
     speeds: list[SpeedPiece] = field(default_factory=list)
+    camera: list[CameraKey] = field(default_factory=list)
 
 
 @dataclass(slots=True)

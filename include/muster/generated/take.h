@@ -51,6 +51,19 @@ struct SpeedPiece {
     friend bool operator==(const SpeedPiece&, const SpeedPiece&) = default;
 };
 
+/// Where a film's camera is at a moment of a take. From one to the next it moves with ease.
+struct CameraKey {
+    std::uint32_t step = 0;  ///< Number of steps done.
+    double x = 0.0;          ///< The point on the ground that it looks at [m].
+    double y = 0.0;          ///< As above [m].
+    double distance = 1.0;   ///< From there, above 0 [m].
+    double turn = 0.0;       ///< Round the vertical [rad].
+    double pitch = 0.0;      ///< How steeply it looks down [rad].
+    bool cut = false;        ///< True: the camera is here at once, and rests before.
+    /// Equal in all parts.
+    friend bool operator==(const CameraKey&, const CameraKey&) = default;
+};
+
 /// What is said about a take: its name, and the part of it that is to be shown. It changes nothing of what
 /// was recorded.
 struct TakeAbout {
@@ -58,7 +71,10 @@ struct TakeAbout {
     std::uint32_t from = 0;          ///< Steps before the part begins.
     std::uint32_t to = 0xffffffff;   ///< Steps after which the part ends; kTakeEnd for the end of the take.
     std::vector<SpeedPiece> speeds;  ///< In ascending order, apart from each other; at most kMaxSpeedPieces.
+    std::vector<CameraKey> camera;   ///< In ascending order of steps; at most kMaxCameraKeys.
 
+    /// Number of camera keys.
+    static constexpr std::size_t kMaxCameraKeys = 200;
     /// Length of a title.
     static constexpr std::size_t kMaxTitleBytes = 200;
     /// Number of speed pieces.

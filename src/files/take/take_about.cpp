@@ -69,6 +69,39 @@ Status readSpeeds(const Json& list, std::vector<SpeedPiece>& speeds) {
     return {};
 }
 
+Status checkKey(const CameraKey& key, bool later, const std::string& where) {
+    if (!later)
+        return invalidArgument(where + ".step: found " + std::to_string(key.step) +
+                               ", expected more than in the key before");
+    for (const double value : {key.x, key.y, key.turn, key.pitch})
+        if (!std::isfinite(value)) return invalidArgument(where + ": found a number that is not finite");
+    if (!std::isfinite(key.distance) || key.distance <= 0.0)
+        return invalidArgument(where + ".distance: found " + text(key.distance) + ", expected above 0");
+    return {};
+}
+
+Status readCamera(const Json& list, std::vector<CameraKey>& camera) {
+    if (!list.isArray()) return wrong("camera", list, "an array");
+    camera.clear();
+    for (const Json& entry : list.elements()) {
+        if (!entry.isObject()) return wrong("camera", entry, "objects in it");
+        CameraKey key;
+        Status status = readStep(entry, "step", key.step);
+        for (const auto& [name, value] : {std::pair<const char*, double*>{"x", &key.x},
+                                          {"y", &key.y},
+                                          {"distance", &key.distance},
+                                          {"turn", &key.turn},
+                                          {"pitch", &key.pitch}})
+            if (status.ok()) status = readNumber(entry, name, *value);
+        const Json* cut = entry.find("cut");
+        if (status.ok() && cut != nullptr && !cut->isBoolean()) status = wrong("cut", *cut, "true or false");
+        if (!status.ok()) return status.within("camera");
+        key.cut = cut != nullptr && cut->boolean();
+        camera.push_back(key);
+    }
+    return {};
+}
+
 }  // namespace
 
 std::uint32_t TakeAbout::firstStep(std::uint32_t steps) const {
@@ -109,6 +142,14 @@ Status TakeAbout::check() const {
         if (!s.ok()) return s;
         earliest = speeds[i].to;
     }
+    if (camera.size() > kMaxCameraKeys)
+        return invalidArgument("camera: found " + std::to_string(camera.size()) + ", expected at most " +
+                               std::to_string(kMaxCameraKeys));
+    for (std::size_t i = 0; i < camera.size(); ++i) {
+        const bool later = i == 0 || camera[i].step > camera[i - 1].step;
+        const Status s = checkKey(camera[i], later, "camera[" + std::to_string(i) + "]");
+        if (!s.ok()) return s;
+    }
     return {};
 }
 
@@ -120,6 +161,18 @@ std::string writeTakeAbout(const TakeAbout& about) {
     for (const SpeedPiece& piece : about.speeds)
         value["speeds"].push(
             {{"from", piece.from}, {"to", piece.to}, {"speed", piece.speed}, {"ease", piece.ease}});
+    for (const CameraKey& key : about.camera) {
+        Json entry = Json::object();
+        entry["step"] = key.step;
+        for (const auto& [name, number] : {std::pair{"x", key.x},
+                                           {"y", key.y},
+                                           {"distance", key.distance},
+                                           {"turn", key.turn},
+                                           {"pitch", key.pitch}})
+            entry[name] = number;
+        if (key.cut) entry["cut"] = true;
+        value["camera"].push(std::move(entry));
+    }
     return compactJson(value);
 }
 
@@ -138,6 +191,8 @@ Result<TakeAbout> readTakeAbout(std::string_view text, const std::string& source
     if (status.ok()) status = readStep(*value, "to", about.to);
     if (const Json* speeds = value->find("speeds"); status.ok() && speeds != nullptr)
         status = readSpeeds(*speeds, about.speeds);
+    if (const Json* camera = value->find("camera"); status.ok() && camera != nullptr)
+        status = readCamera(*camera, about.camera);
     if (status.ok()) status = about.check();
     if (!status.ok()) return status.within(sourceName);
     return about;

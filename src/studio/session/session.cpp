@@ -46,6 +46,9 @@ void Session::Impl::beginWith(World begun, const std::string& worldName, const W
     name = worldName;
     if (player || taken) touchTake();
     player = std::move(taken);
+    ++takeNumber;
+    versions.clear();
+    tracksChange = false;
     if (!player) {
         log.begin(worldDef, def.limits.takeBytes);
         takenBytes.clear();

@@ -153,6 +153,13 @@ public:
     Status operator()(const protocol::AskPath& message) { return session_.askPath(client_, message); }
     Status operator()(const protocol::BendPath& message) { return session_.changePath(message); }
 
+    Status operator()(const protocol::WatchTracks& message) {
+        client_.watchesTracks = message.on;
+        client_.sentTracks = 0;
+        return {};
+    }
+    Status operator()(const protocol::EditTrack& message) { return session_.changeTracks(message); }
+
     Status operator()(const protocol::SetOverlay& message) {
         if (message.kind == protocol::OverlayKind::Cost) {
             if (!session_.world) return noWorld();

@@ -25,6 +25,7 @@
 #include "studio/session/takes/handover.h"
 #include "studio/session/takes/take_log.h"
 #include "studio/session/takes/take_player.h"
+#include "studio/session/takes/take_versions.h"
 #include "studio/session/words/spoken.h"
 
 namespace muster {
@@ -54,6 +55,8 @@ struct SessionClient {
     std::uint32_t sentReady = 0;               ///< Steps in the last TakeReady sent.
     double readyDue = 0.0;                     ///< Real time at which the next TakeReady is due [s].
     std::optional<protocol::AskPath> path;     ///< The path of the take that it waits for.
+    bool watchesTracks = false;                ///< It wants to know the tracks of the take.
+    std::uint32_t sentTracks = 0;              ///< Number of the take whose tracks it has; 0 for none.
     std::uint32_t sentDirectors = 0;           ///< Revision of the directors sent; 0 for none.
     std::uint32_t sentShared = 0;              ///< Revision of the SharedWorld sent; 0 for none.
     std::uint32_t sentHistory = 0;             ///< Revision of the edits of the last EditHistory.
@@ -140,7 +143,19 @@ struct Session::Impl {
     Status askPath(SessionClient& client, const protocol::AskPath& message);
     Status changePath(const protocol::BendPath& message);
     void sendPath(SessionClient& client);
+    Status openChanged(Take changed);
+    std::string keepFile();
     void keepChanged();
+
+    // Tracks of the open take (session_tracks.cpp).
+    Status changeTracks(const protocol::EditTrack& message);
+    Status stepVersion(bool redo);
+    TakeVersion present() const;
+    void sendTracks(SessionClient& client);
+    std::string keepTracks();
+    /// The open take's file with all that is said about it.
+    std::vector<std::uint8_t> openBytes() const;
+    void tellRefused(std::size_t before);
 
     // The world that directors share (session_shared.cpp).
     std::size_t greetedClients() const;
@@ -226,6 +241,10 @@ struct Session::Impl {
     std::optional<World> world;
     std::unique_ptr<TakePlayer> player;    // Of the take that is open; null otherwise.
     std::vector<std::uint8_t> takenBytes;  // Its bytes.
+    std::uint32_t takeNumber = 0;          // Takes that were opened.
+    TakeVersions versions;                 // Of the open take, before and after changes of its blocks.
+    bool tracksChange = false;             // It comes from such a change, and waits for its end.
+    std::size_t refusedBefore = 0;         // Commands that the take before refused.
     bool endSaid = false;                  // It was said that it ends.
     std::uint32_t takeRevision = 1;        // It grows with every change of what TakeState tells.
     // Recorded commands beneath a take that is directed again, by step, and the next of them.

@@ -25,7 +25,8 @@ TEST_CASE("What is said about a take comes back, and the last word counts, also 
     TakeAbout last{.title = "Rain \"and\" wind",
                    .from = 30,
                    .to = 55,
-                   .speeds = {{0.1, 0.25, 0.5, 0.05}, {0.5, 0.9, 2.0, 0.0}}};
+                   .speeds = {{0.1, 0.25, 0.5, 0.05}, {0.5, 0.9, 2.0, 0.0}},
+                   .camera = {{12, 1.5, -2.0, 30.0, 0.25, 1.1, false}, {40, 0.0, 3.0, 8.0, -3.0, 0.6, true}}};
     auto bytes = TakeEncoder::begin(floorDef());
     append(bytes, TakeEncoder::about(first));
     CHECK(parseTake(bytes, "a")->about == first);
@@ -86,4 +87,8 @@ TEST_CASE("Unknown words are ignored, wrong ones named") {
     refused("{\"speeds\": [1]}", "speeds");
     refused("{\"speeds\": [{\"from\": 0, \"to\": \"x\"}]}", "to");
     refused("{\"speeds\": [{\"from\": 0, \"to\": 1, \"speed\": 0.01}]}", "speed");
+    refused("{\"camera\": 1}", "camera");
+    refused("{\"camera\": [{\"step\": 1, \"cut\": 3}]}", "cut");
+    refused("{\"camera\": [{\"step\": 1, \"distance\": 0}]}", "camera[0].distance");
+    refused("{\"camera\": [{\"step\": 2}, {\"step\": 2}]}", "camera[1].step");
 }

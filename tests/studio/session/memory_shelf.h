@@ -26,6 +26,10 @@ public:
             const std::string name = std::to_string(takes.size() + 1) + ".take";
             return std::unique_ptr<TakeSink>(new Sink(takes[name], name));
         };
+        def.replaceTake = [this](const std::string& name, std::span<const std::uint8_t> bytes) {
+            takes[name].bytes.assign(bytes.begin(), bytes.end());
+            return Status();
+        };
         def.keepAbout = [this](const std::string& name, const TakeAbout& about) {
             edits.emplace_back(name, about);
             return Status();

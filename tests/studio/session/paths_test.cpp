@@ -6,7 +6,7 @@
 
 #include "muster/take.h"
 #include "studio/session/fake_client.h"
-#include "studio/session/memory_shelf.h"
+#include "studio/session/take_watcher.h"
 #include "studio/session/takes/bend_path.h"
 
 using namespace muster;
@@ -43,46 +43,6 @@ std::vector<std::uint8_t> dragTake(double seconds) {
     }
     return *session.take();
 }
-
-/// A studio in which a take is open and read.
-struct Watcher {
-    explicit Watcher(const std::vector<std::uint8_t>& bytes) : session(def(shelf)), client(session) {
-        REQUIRE(session.openTake(bytes, "take").ok());
-        read();
-    }
-    static SessionDef def(MemoryShelf& shelf) {
-        SessionDef def = sessionDef();
-        shelf.serve(def);
-        return def;
-    }
-    void read() {
-        run(session, 0.1, {&client});  // It goes to the moment that is to be shown first.
-        while (session.preparing()) session.prepare();
-        session.prepare();
-        client.poll();
-    }
-    /// The points of a path.
-    std::vector<Vec2> path(std::uint32_t group, std::uint32_t character = 0) {
-        client.path.reset();
-        client.send(protocol::AskPath{group, character});
-        run(session, 0.5, {&client});
-        REQUIRE(client.path.has_value());
-        std::vector<Vec2> points;
-        for (std::size_t k = 0; k + 1 < client.path->points.size(); k += 2)
-            points.push_back({client.path->points[k], client.path->points[k + 1]});
-        return points;
-    }
-    void bend(protocol::BendPath bend) {
-        client.notices.clear();
-        client.send(bend);
-        read();
-        run(session, 0.2, {&client});
-    }
-
-    MemoryShelf shelf;
-    Session session;
-    FakeClient client;
-};
 
 double highest(const std::vector<Vec2>& path) {
     double y = -1e9;

@@ -23,6 +23,7 @@ import type {
   TakeKept,
   TakePath,
   TakeReady,
+  TakeTracks,
   Ask,
   AskAnswered,
   PlaceKept,
@@ -61,6 +62,7 @@ export interface StudioEvents {
   scenarios: Scenarios;
   placeKept: PlaceKept;
   takeReady: TakeReady;
+  takeTracks: TakeTracks;
   takeKept: TakeKept;
   editHistory: EditHistory;
   takePath: TakePath;
@@ -90,6 +92,7 @@ const kEvents = {
   Scenarios: 'scenarios',
   PlaceKept: 'placeKept',
   TakeReady: 'takeReady',
+  TakeTracks: 'takeTracks',
   TakeKept: 'takeKept',
   EditHistory: 'editHistory',
   TakePath: 'takePath',

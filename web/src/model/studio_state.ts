@@ -200,6 +200,8 @@ export interface StudioState {
   readonly measures: boolean;
   /** Somebody changes paths of the open take. */
   readonly paths: boolean;
+  /** The tracks of the open take are unfolded. */
+  readonly tracks: boolean;
   readonly places: PlacesView;
   /** Files that wait to be opened or imported there. */
   readonly placeFiles: readonly File[];
@@ -283,6 +285,7 @@ export const kInitialState: StudioState = {
   words: false,
   measures: false,
   paths: false,
+  tracks: false,
   places: 'none',
   placeFiles: [],
   shelf: false,

@@ -138,6 +138,7 @@ export const kOpenTake: OpenTake = {
   loop: false,
   stored: false,
   speeds: [],
+  camera: [],
   marks: [],
   beneath: '',
 };

@@ -255,6 +255,7 @@ export async function watching(studio, reach = new Reach(studio)) {
   await reach.look('path, legend and a notice');
   await key(studio, 'v');
   await press(studio, '.path-close');
+  await unfolded(studio, reach);
   await press(studio, '.time-export');
   await studio.page.locator('.export-dialog[open]').waitFor();
   await reach.look('export');
@@ -267,6 +268,20 @@ export async function watching(studio, reach = new Reach(studio)) {
   }
   reach.tell();
   await exportKeepsFocus(studio);
+}
+
+/** The tracks of a take, with nothing chosen, a block, and a view of the camera. */
+async function unfolded(studio, reach) {
+  await press(studio, '.time-tracks');
+  await studio.until('a block', () => document.querySelector('.track-block')?.checkVisibility(), null, 30000);
+  await reach.look('tracks');
+  await press(studio, '.track-block');
+  await reach.look('tracks, a block');
+  await press(studio, '.track-camera .track-name button');
+  await studio.until('a view', () => document.querySelector('.track-key') !== null);
+  await press(studio, '.track-key');
+  await reach.look('tracks, a view');
+  await press(studio, '.time-tracks');
 }
 
 /** After an export the dialog has the focus, so that Escape closes it. */

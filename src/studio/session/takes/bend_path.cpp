@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include "engine/ground/environment/environment.h"
+#include "studio/session/takes/run_again.h"
 
 namespace muster {
 namespace {
@@ -149,26 +149,6 @@ Status check(const Take& take, const PathBend& bend) {
     return {};
 }
 
-/// Commands in the order in which they apply, and a mark at each second's end that waits for its hash.
-void putMarks(Take& take, std::uint32_t steps) {
-    std::stable_sort(take.commands.begin(), take.commands.end(), [](const Command& a, const Command& b) {
-        return std::tie(a.step, a.client, a.sequence) < std::tie(b.step, b.client, b.sequence);
-    });
-    std::erase_if(take.commands, [&](const Command& command) { return command.step >= steps; });
-    take.marks.clear();
-    take.events.clear();
-    take.frames.clear();
-    std::size_t commands = 0;
-    for (std::uint32_t step = kTakeMarkSpacing;; step += kTakeMarkSpacing) {
-        const std::uint32_t at = std::min(step, steps);
-        while (commands < take.commands.size() && take.commands[commands].step < at) ++commands;
-        take.marks.push_back({at, 0, static_cast<std::uint32_t>(commands)});
-        if (at == steps) break;
-    }
-    take.finished = true;
-    take.tornBytes = 0;
-}
-
 }  // namespace
 
 double bendWeight(double after, double seconds) {
@@ -185,7 +165,7 @@ Result<Take> bendPath(const Take& take, const TakePaths& paths, const Environmen
     Bender bender(changed, paths, bend);
     const Status done = bend.character == 0 ? bender.group() : bender.character(environment);
     if (!done.ok()) return done;
-    putMarks(changed, take.steps());
+    runAgain(changed, take.steps());
     return changed;
 }
 

@@ -46,13 +46,18 @@ Status Session::Impl::changePath(const protocol::BendPath& message) {
         GroupId{message.group}, message.character, message.step, {message.dx, message.dy}, message.seconds};
     auto changed = bendPath(player->take(), player->paths(), inspect::environment(*world), bend);
     if (!changed.ok()) return changed.status();
+    return openChanged(std::move(changed).value());
+}
+
+// A take with other commands opens, and is simulated again.
+Status Session::Impl::openChanged(Take changed) {
     TakeAbout about = player->about();
     const std::string ending = " (changed)";
     if (about.title.empty()) about.title = worldDef.name;
     if (!about.title.ends_with(ending) && about.title.size() + ending.size() <= TakeAbout::kMaxTitleBytes)
         about.title += ending;
     const std::uint32_t now = world->stepCount();
-    auto take = std::make_shared<Take>(std::move(changed).value());
+    auto take = std::make_shared<Take>(std::move(changed));
     take->about = about;
     if (Status s = begin(name, take->def, TakePlayer::marking(take)); !s.ok()) return s;
     takenBytes = TakeEncoder::whole(*take, about);
@@ -62,19 +67,23 @@ Status Session::Impl::changePath(const protocol::BendPath& message) {
     return {};
 }
 
+// Keeps the open take as a new file on the shelf, and gives its name; none where that is not possible.
+std::string Session::Impl::keepFile() {
+    if (!def.openSink) return {};
+    auto sink = def.openSink(name);
+    Status status = sink.ok() ? (*sink)->append(takenBytes) : sink.status();
+    if (status.ok()) status = (*sink)->finish();
+    if (status.ok()) return (*sink)->name();
+    noticeAll(protocol::NoticeLevel::Warning, "record", status.message());
+    return {};
+}
+
 // The changed take has been simulated to its end.
 void Session::Impl::keepChanged() {
     takenBytes = TakeEncoder::whole(player->take(), player->about());
-    std::string file;
-    if (def.openSink) {
-        auto sink = def.openSink(name);
-        Status status = sink.ok() ? (*sink)->append(takenBytes) : sink.status();
-        if (status.ok()) status = (*sink)->finish();
-        if (status.ok())
-            file = (*sink)->name();
-        else
-            noticeAll(protocol::NoticeLevel::Warning, "record", status.message());
-    }
+    const std::string file = tracksChange ? keepTracks() : keepFile();
+    if (tracksChange) tellRefused(refusedBefore);
+    tracksChange = false;
     player->kept(file);
     touchTake();
     const protocol::TakeKept kept{file, player->steps() * world->parameters().stepTime, worldDef.name};

@@ -21,6 +21,10 @@ constexpr const char* kFromFrames =
     "this take was recorded by another version of Muster; it is shown from its stored frames and cannot be "
     "changed";
 
+void append(std::vector<std::uint8_t>& bytes, const std::vector<std::uint8_t>& record) {
+    bytes.insert(bytes.end(), record.begin(), record.end());
+}
+
 }  // namespace
 
 // ---- Opening and keeping ----
@@ -56,14 +60,15 @@ Status Session::Impl::openTake(std::span<const std::uint8_t> bytes, const std::s
 Result<std::vector<std::uint8_t>> Session::take() const {
     const Impl& session = *impl_;
     if (!session.world) return Status(StatusCode::NotFound, "there is no world to keep a take of");
-    std::vector<std::uint8_t> bytes = session.player ? session.takenBytes : session.log.bytes(*session.world);
-    const auto say = [&](const TakeAbout& about) {
-        const auto record = TakeEncoder::about(about);
-        bytes.insert(bytes.end(), record.begin(), record.end());
-    };
-    if (session.player && !(session.player->about() == session.player->take().about))
-        say(session.player->about());
-    if (!session.player && session.recorded) say(session.recordedAbout);
+    if (session.player) return session.openBytes();
+    std::vector<std::uint8_t> bytes = session.log.bytes(*session.world);
+    if (session.recorded) append(bytes, TakeEncoder::about(session.recordedAbout));
+    return bytes;
+}
+
+std::vector<std::uint8_t> Session::Impl::openBytes() const {
+    std::vector<std::uint8_t> bytes = takenBytes;
+    if (!(player->about() == player->take().about)) append(bytes, TakeEncoder::about(player->about()));
     return bytes;
 }
 
@@ -86,7 +91,9 @@ std::string Session::recordedTakeName() const {
 
 void Session::takeEdited(const std::string& fileName, const TakeAbout& about) {
     if (!impl_->player || fileName.empty() || impl_->player->fileName() != fileName) return;
-    impl_->player->edit(about, impl_->player->loops());
+    TakeAbout edited = about;
+    edited.camera = impl_->player->about().camera;
+    impl_->player->edit(edited, impl_->player->loops());
     impl_->touchTake();
 }
 
@@ -249,6 +256,8 @@ Status Session::Impl::editTake(const protocol::EditTake& message) {
     about.to = message.to >= player->steps() ? kTakeEnd : message.to;
     for (const protocol::SpeedPiece& piece : message.speeds)
         about.speeds.push_back({piece.from, piece.to, piece.speed, piece.ease});
+    for (const protocol::CameraKey& key : message.camera)
+        about.camera.push_back({key.step, key.x, key.y, key.distance, key.turn, key.pitch, key.cut});
     if (Status s = about.check(); !s.ok()) return s;
     const bool changed = !(about == player->about());
     player->edit(about, message.loop);
@@ -269,6 +278,7 @@ void Session::Impl::sendTake(SessionClient& client) {
         client.sentReady = 0;
     }
     sendPath(client);
+    sendTracks(client);
     if (!player || client.sentReady == player->ready() || realTime < client.readyDue) return;
     client.sentReady = player->ready();
     client.readyDue = realTime + kReadySpacing;

@@ -22,9 +22,11 @@ TakePlayer::TakePlayer(std::shared_ptr<Take> take, std::string fileName)
       replayer_(*take_),
       moments_(stepsPerSecond(*take_), kMomentBytes),
       paths_(*take_),
+      news_(*take_),
       marks_(takeMarks(*take_)) {}
 
 std::unique_ptr<TakePlayer> TakePlayer::marking(std::shared_ptr<Take> take) {
+    take->frames.clear();
     auto player = std::make_unique<TakePlayer>(std::move(take), "");
     player->marking_ = true;
     player->replayer_ = Replayer::marking(*player->take_);
@@ -62,6 +64,7 @@ Status TakePlayer::step(World& world, const std::function<void()>& stepped) {
     Status status = replayer_.submit(world);
     world.step();
     paths_.observe(world);
+    news_.observe(world);
     stepped();
     if (status.ok()) status = replayer_.compare(world);
     return status;
@@ -122,6 +125,7 @@ void TakePlayer::prepare(const MotionFrames& motion) {
         Status status = scout.replayer.submit(scout.world);
         scout.world.step();
         paths_.observe(scout.world);
+        news_.observe(scout.world);
         scout.motion.update(scout.world);
         if (status.ok()) status = scout.replayer.compare(scout.world);
         if (marking_) storeFrames(scout.world);
@@ -148,6 +152,8 @@ protocol::TakeState TakePlayer::state() const {
     state.stored = stored_;
     for (const SpeedPiece& piece : about_.speeds)
         state.speeds.push_back({piece.from, piece.to, piece.speed, piece.ease});
+    for (const CameraKey& key : about_.camera)
+        state.camera.push_back({key.step, key.x, key.y, key.distance, key.turn, key.pitch, key.cut});
     state.marks = marks_;
     return state;
 }

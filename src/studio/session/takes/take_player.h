@@ -13,6 +13,7 @@
 #include "studio/session/frames/motion_frames.h"
 #include "studio/session/inbox/protocol.h"
 #include "studio/session/takes/take_moments.h"
+#include "studio/session/takes/take_news.h"
 #include "studio/session/takes/take_paths.h"
 
 namespace muster {
@@ -73,6 +74,8 @@ public:
     std::uint32_t ready() const { return scouted_ ? steps() : moments_.last(); }
     const TakeMoments& moments() const { return moments_; }  ///< The snapshots.
     const TakePaths& paths() const { return paths_; }        ///< Whole as soon as nothing is preparing.
+    const TakeNews& news() const { return news_; }           ///< As `paths`.
+    bool marks() const { return marking_; }                  ///< True until the marks are kept.
     /// True where the marks of a take that had none are all there, and it waits to be kept.
     bool marked() const { return marking_ && scouted_; }
     /// It is kept under that name on the shelf, empty for none.
@@ -101,6 +104,7 @@ private:
     std::optional<std::uint32_t> wanted_;
     TakeMoments moments_;
     TakePaths paths_;
+    TakeNews news_;
     std::unique_ptr<Scout> scout_;
     bool scouted_ = false;
     FrameRecorder frames_;  // Of a take whose marks are made.

@@ -133,6 +133,25 @@ export const WorldChange = {
 } as const;
 export type WorldChange = (typeof WorldChange)[keyof typeof WorldChange];
 
+/** What a block of a take's time line stands for. */
+export const TakeBlockKind = {
+  Order: 0,
+  Gesture: 1,
+  Change: 2,
+} as const;
+export type TakeBlockKind = (typeof TakeBlockKind)[keyof typeof TakeBlockKind];
+
+/** What is done to the blocks of the open take. */
+export const TrackEdit = {
+  Move: 0,
+  Copy: 1,
+  Remove: 2,
+  Stretch: 3,
+  Undo: 4,
+  Redo: 5,
+} as const;
+export type TrackEdit = (typeof TrackEdit)[keyof typeof TrackEdit];
+
 /** Kind of a control by its number of points: one, two, or three and more. */
 export const ControlKind = {
   Point: 0,

@@ -19,7 +19,10 @@ export const kPartLayouts: Readonly<Record<string, string>> = {
   JointFrame: 'name:text parent:u32 x:f32 y:f32 z:f32',
   ClipFrames: 'name:text motion:text rate:f32 cyclic:bool poses:u32 hips:f32s rotations:i16s',
   SpeedPiece: 'from:f64 to:f64 speed:f64 ease:f64',
+  CameraKey: 'step:u32 x:f64 y:f64 distance:f64 turn:f64 pitch:f64 cut:bool',
   TakeMark: 'kind:<4 step:u32 length:u32 label:text',
+  TakeTrack: 'group:u32 name:text from:u32 to:u32',
+  TakeBlock: 'id:u32 group:u32 kind:<3 begin:u32 begun:u32 end:u32 label:text moves:bool stretches:bool',
   RawInput: 'kind:<2 phase:<4 device:<3 button:<3 pointer:u32 key:u8 x:f64 y:f64 time:f64 shift:bool control:bool alt:bool',
   SchemeInfo: 'name:text title:text description:text mesh:bool',
   ChoiceFrame: 'text:text',
@@ -57,7 +60,7 @@ export const kClientLayouts: readonly (readonly [string, string])[] = [
   ['Ping', 'time:f64'],
   ['Seek', 'step:u32'],
   ['TakeAgain', 'keep:bool'],
-  ['EditTake', 'title:text from:u32 to:u32 loop:bool speeds:SpeedPiece*'],
+  ['EditTake', 'title:text from:u32 to:u32 loop:bool speeds:SpeedPiece* camera:CameraKey*'],
   ['AskForecasts', 'number:u32 asks:ForecastAsk*'],
   ['SetName', 'name:text'],
   ['GiveGroup', 'client:u32 group:u32'],
@@ -79,6 +82,8 @@ export const kClientLayouts: readonly (readonly [string, string])[] = [
   ['Build', 'on:bool'],
   ['KeepPlace', 'title:text'],
   ['Say', 'number:u32 act:<4 text:text chosen:u32s'],
+  ['WatchTracks', 'on:bool'],
+  ['EditTrack', 'revision:u32 edit:<6 block:u32 step:u32 group:u32'],
 ];
 
 // prettier-ignore
@@ -95,7 +100,7 @@ export const kServerLayouts: readonly (readonly [string, string])[] = [
   ['TakePath', 'group:u32 character:u32 spacing:u32 points:f32s'],
   ['EditHistory', 'undo:u32 undoLabel:text redo:u32 redoLabel:text edited:bool'],
   ['Forecasts', 'number:u32 answers:ForecastFrame*'],
-  ['TakeState', 'open:bool name:text title:text steps:u32 stepTime:f64 from:u32 to:u32 loop:bool stored:bool speeds:SpeedPiece* marks:TakeMark* beneath:text'],
+  ['TakeState', 'open:bool name:text title:text steps:u32 stepTime:f64 from:u32 to:u32 loop:bool stored:bool speeds:SpeedPiece* camera:CameraKey* marks:TakeMark* beneath:text'],
   ['TakeReady', 'steps:u32'],
   ['TakeKept', 'name:text seconds:f64 scenario:text'],
   ['Directors', 'directors:DirectorFrame*'],
@@ -111,4 +116,5 @@ export const kServerLayouts: readonly (readonly [string, string])[] = [
   ['Scenarios', 'scenarios:ScenarioInfo*'],
   ['PlaceKept', 'title:text name:text problem:text'],
   ['Said', 'number:u32 act:<4 sentences:text problem:text completions:SaidCompletion* forecasts:ForecastFrame* places:PlacesFrame*'],
+  ['TakeTracks', 'revision:u32 tracks:TakeTrack* blocks:TakeBlock* undo:text redo:text'],
 ];

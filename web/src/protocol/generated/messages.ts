@@ -14,6 +14,8 @@ import type {
   SayAct,
   TrialEnd,
   WorldChange,
+  TakeBlockKind,
+  TrackEdit,
   ControlKind,
   TouchPhase,
   Stance,
@@ -298,6 +300,22 @@ export interface SpeedPiece {
   ease: number;
 }
 
+/** Where the film camera of a take is at a moment. */
+export interface CameraKey {
+  step: number;
+  /** The point on the ground that it looks at [m]. */
+  x: number;
+  y: number;
+  /** From there [m]. */
+  distance: number;
+  /** [rad]. */
+  turn: number;
+  /** [rad]. */
+  pitch: number;
+  /** It is here at once; otherwise it comes from the one before. */
+  cut: boolean;
+}
+
 /** Something that happens in a take, for its time line. */
 export interface TakeMark {
   kind: TakeMarkKind;
@@ -306,6 +324,36 @@ export interface TakeMark {
   length: number;
   /** In one or two words. */
   label: string;
+}
+
+/** A row of an open take: all that concerns one group. */
+export interface TakeTrack {
+  /** Id; 0: what concerns the place or nobody in particular. */
+  group: number;
+  name: string;
+  /** Step in which the group comes. */
+  from: number;
+  /** In which it ends; the take's steps where it stays. */
+  to: number;
+}
+
+/** One thing that a group does in the open take, with all commands that belong to it. */
+export interface TakeBlock {
+  /** Valid until the take changes. */
+  id: number;
+  group: number;
+  kind: TakeBlockKind;
+  /** Step of its first command. */
+  begin: number;
+  /** Step from which it is carried out: later for orders in a queue. */
+  begun: number;
+  end: number;
+  /** As people say it: 'Move to Fountain'. */
+  label: string;
+  /** It can begin at another time, and be copied. */
+  moves: boolean;
+  /** It can take another time. */
+  stretches: boolean;
 }
 
 /** What a person does with fingers, mouse and keys, before anything judges it. */
@@ -579,6 +627,8 @@ export interface EditTake {
   /** Plays over and over; not kept. */
   loop: boolean;
   speeds: SpeedPiece[];
+  /** Of its film, ascending. */
+  camera: CameraKey[];
 }
 
 /** Would these orders arrive, by which way, when? Nothing changes. */
@@ -748,6 +798,26 @@ export interface Say {
   text: string;
   /** Ids of the groups that it is about where it names none. */
   chosen: Uint32Array;
+}
+
+/** Whether the sender wants to know the tracks of the open take. */
+export interface WatchTracks {
+  type: 'WatchTracks';
+  on: boolean;
+}
+
+/** Changes a block of the open take and simulates everything again as another take, which opens; or takes such a change back. */
+export interface EditTrack {
+  type: 'EditTrack';
+  /** Of the TakeTracks that the block is from. */
+  revision: number;
+  edit: TrackEdit;
+  /** Its id. */
+  block: number;
+  /** Where it begins then; for Stretch, where it ends. */
+  step: number;
+  /** For Copy: whose the copy is; 0: the same group's. */
+  group: number;
 }
 
 /** The first answer; again with another number where a take is taken up. */
@@ -945,6 +1015,7 @@ export interface TakeState {
   /** This Muster simulates it otherwise: it plays from its stored frames and cannot be changed. */
   stored: boolean;
   speeds: SpeedPiece[];
+  camera: CameraKey[];
   marks: TakeMark[];
   /** Title of the world from which it was opened, which LeaveTake brings back; empty: there is none. */
   beneath: string;
@@ -1137,6 +1208,20 @@ export interface Said {
   places: PlacesFrame[];
 }
 
+/** Everything that somebody does in the open take, as soon as it has been read; again whenever it changes. */
+export interface TakeTracks {
+  type: 'TakeTracks';
+  revision: number;
+  /** In the order of their ids. */
+  tracks: TakeTrack[];
+  /** In the order in which they begin. */
+  blocks: TakeBlock[];
+  /** What the last change was; empty: there is none to take back. */
+  undo: string;
+  /** What can be done again. */
+  redo: string;
+}
+
 /** Any message of the page. */
 export type ClientMessage =
   | Hello
@@ -1173,7 +1258,9 @@ export type ClientMessage =
   | AnswerAsk
   | Build
   | KeepPlace
-  | Say;
+  | Say
+  | WatchTracks
+  | EditTrack;
 
 /** Any message of the server. */
 export type ServerMessage =
@@ -1203,4 +1290,5 @@ export type ServerMessage =
   | AskAnswered
   | Scenarios
   | PlaceKept
-  | Said;
+  | Said
+  | TakeTracks;

@@ -1,5 +1,16 @@
 import { describe, expect, it } from 'vitest';
-import { poseAt, readKeys, withKey, withoutKey, type CameraKey } from './film_camera';
+import {
+  keysOf,
+  poseAt,
+  readKeys,
+  shotsOf,
+  toldKeys,
+  withCut,
+  withKey,
+  withKeyAt,
+  withoutKey,
+  type CameraKey,
+} from './film_camera';
 
 const pose = (targetX: number, distance = 10, turn = 0) => ({ targetX, targetY: 0, distance, turn, pitch: 1 });
 const keys: readonly CameraKey[] = [
@@ -33,6 +44,33 @@ describe('the camera of a film', () => {
       { step: 10, pose: pose(0, 10, -3) },
     ];
     expect(poseAt(round, 5)!.turn).toBeCloseTo(Math.PI);
+  });
+});
+
+describe('cuts', () => {
+  const cut = withCut(keys, 180, true);
+
+  it('let the camera rest, and then be there at once', () => {
+    expect(poseAt(cut, 179)).toEqual(pose(0));
+    expect(poseAt(cut, 180)).toEqual(pose(12, 40));
+  });
+
+  it('divide a part into shots', () => {
+    expect(shotsOf(cut, 30, 300)).toEqual([
+      { from: 30, to: 180 },
+      { from: 180, to: 300 },
+    ]);
+    expect(shotsOf(keys, 30, 300)).toEqual([{ from: 30, to: 300 }]);
+    expect(shotsOf([], 30, 300)).toEqual([]);
+  });
+
+  it('stay cuts where a key moves, and as the take keeps them', () => {
+    const moved = withKeyAt(cut, 180, 40);
+    expect(moved.map(({ step, cut: is }) => [step, is ?? false])).toEqual([
+      [40, true],
+      [60, false],
+    ]);
+    expect(keysOf(toldKeys(moved))).toEqual(moved.map((key) => ({ ...key, cut: key.cut ?? false })));
   });
 });
 

@@ -9,6 +9,8 @@ import { Menu } from '../widgets/menu';
 export interface FilmCameraActions {
   keepView(): void;
   removeView(step: number): void;
+  /** True: the camera is there at once. */
+  cutView(step: number, cut: boolean): void;
   showMoment(step: number): void;
   filmCamera(on: boolean): void;
 }
@@ -23,12 +25,26 @@ export interface FilmCameraProps {
 const kEases = 'The camera moves with ease from view to view, also in films.';
 const kBegin = 'Move the camera and the playhead, and keep views: the camera then moves from one to the next.';
 
-function View({ step, index, stepTime, actions }: Pick<FilmCameraProps, 'stepTime' | 'actions'> & ViewPlace): VNode {
+function View({
+  step,
+  index,
+  cut,
+  stepTime,
+  actions,
+}: Pick<FilmCameraProps, 'stepTime' | 'actions'> & ViewPlace): VNode {
   return (
     <div class="camera-key">
       <Button act={() => actions.showMoment(step)}>
         View {index + 1} at {formatClock(step * stepTime)}
       </Button>
+      <ToolButton
+        icon="cut"
+        label={`Cut to view ${index + 1}`}
+        iconOnly
+        pressed={cut}
+        tip="The camera is there at once, instead of travelling"
+        act={() => actions.cutView(step, !cut)}
+      />
       <ToolButton icon="close" label={`Remove view ${index + 1}`} iconOnly act={() => actions.removeView(step)} />
     </div>
   );
@@ -37,6 +53,7 @@ function View({ step, index, stepTime, actions }: Pick<FilmCameraProps, 'stepTim
 interface ViewPlace {
   readonly step: number;
   readonly index: number;
+  readonly cut: boolean;
 }
 
 export function FilmCameraMenu({ keys, on, stepTime, actions }: FilmCameraProps): VNode {
@@ -65,8 +82,8 @@ export function FilmCameraMenu({ keys, on, stepTime, actions }: FilmCameraProps)
                 Film camera
               </Button>
             </div>
-            {keys.map(({ step }, index) => (
-              <View key={step} step={step} index={index} stepTime={stepTime} actions={actions} />
+            {keys.map(({ step, cut = false }, index) => (
+              <View key={step} step={step} index={index} cut={cut} stepTime={stepTime} actions={actions} />
             ))}
             <p class="secondary">{keys.length > 0 ? kEases : kBegin}</p>
           </>

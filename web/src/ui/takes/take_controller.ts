@@ -12,7 +12,9 @@ import { kSteeredPitch, kWatchedPitch } from '../../scene/camera/camera_controll
 import type { StudioScene } from '../../scene/studio_scene';
 import { ExportController } from './export_controller';
 import type { ExportGroup } from './export_kinds';
+import { keysOf, toldKeys } from '../../scene/camera/film_camera';
 import { FilmCameraController } from './film_camera_controller';
+import { LazyTracks } from './lazy_tracks';
 import { TakeCard, type CardKind } from './take_card';
 import { TakeShelf } from './take_shelf';
 import { TimeLine } from './time_line';
@@ -42,6 +44,10 @@ export interface TakeControllerParts {
   readonly page: HTMLElement;
 }
 
+interface Pieces {
+  readonly speeds?: readonly SpeedPiece[];
+}
+
 /** The moment of the newest frame, and who waits for one. */
 interface Waiting {
   readonly step: number;
@@ -55,6 +61,7 @@ export class TakeController implements TakeActions {
   private readonly live_ = new LiveRegion();
   private readonly line_: TimeLine;
   private readonly film_: FilmCameraController;
+  private readonly tracks_: LazyTracks;
   private readonly card_ = new TakeCard(this);
   private readonly shelfPanel_: TakeShelf;
   private readonly scrubber_: Scrubber;
@@ -69,14 +76,23 @@ export class TakeController implements TakeActions {
 
   constructor(private readonly parts_: TakeControllerParts) {
     const { client, store, view, canvas, page } = parts_;
+    this.film_ = new FilmCameraController({
+      camera: view.camera,
+      changed: () => this.showKeys(),
+      keep: (keys) => this.edit({ camera: toldKeys(keys) }),
+    });
     const film = {
       keepView: () => this.film_.keep(this.step_),
+      takeView: (step: number) => this.film_.keep(step),
+      moveView: (step: number, to: number) => this.film_.move(step, to),
+      cutView: (step: number, cut: boolean) => this.film_.cut(step, cut),
       removeView: (step: number) => this.film_.remove(step),
       showMoment: (step: number) => this.seek(step),
       filmCamera: (on: boolean) => this.film_.switch(on),
     };
     this.line_ = new TimeLine(this, film, store);
-    this.film_ = new FilmCameraController(view.camera, () => this.showKeys());
+    const scrub = { beginScrub: () => this.beginScrub(), seek: film.showMoment, endScrub: () => this.endScrub() };
+    this.tracks_ = new LazyTracks(client, store, { ...film, ...scrub }, this.line_.tracks);
     this.scrubber_ = new Scrubber((message) => client.send(message));
     const file = fileInput({ label: 'Open a take', accept: '.take', chosen: ([one]) => void this.openFile(one!) });
     this.shelfPanel_ = new TakeShelf(this, pictureAddress, () => file.click());
@@ -116,7 +132,8 @@ export class TakeController implements TakeActions {
     this.take_ = open ? take : null;
     document.documentElement.toggleAttribute('data-take', open);
     if (open && before?.name !== take.name) this.line_.track.setReady(0);
-    this.film_.open(open ? take.name : '');
+    this.film_.open(open ? take.name : null, keysOf(take.camera));
+    this.tracks_.show({ take: this.take_ });
     this.line_.setTake(this.take_, this.titleOf(take));
     if (open !== (before !== null)) this.tilt(open);
     if (!open) return;
@@ -145,12 +162,14 @@ export class TakeController implements TakeActions {
     if (this.take_) this.film_.observe(step);
     this.scrubber_.observe(step);
     this.line_.setStep(this.scrubber_.wished ?? step);
+    this.tracks_.show({ step: this.scrubber_.wished ?? step });
     this.waiting_ = this.waiting_.filter((one) => one.step !== step || (one.done(), false));
   }
 
   private showKeys(): void {
     const { keys, on } = this.film_;
     this.line_.setFilm(keys, on);
+    this.tracks_.show({ keys, films: on });
     this.line_.track.setKeys(keys.map(({ step }) => step));
   }
 
@@ -178,11 +197,12 @@ export class TakeController implements TakeActions {
     this.edit({ loop });
   }
 
-  private edit(change: Partial<Pick<OpenTake, 'from' | 'to' | 'loop'>> & { speeds?: readonly SpeedPiece[] }): void {
+  private edit(change: Partial<Pick<OpenTake, 'from' | 'to' | 'loop' | 'camera'>> & Pieces): void {
     const take = this.take_;
     if (!take) return;
     const { title, from, to, loop, speeds } = { ...take, ...change };
-    this.parts_.client.send({ type: 'EditTake', title, from, to, loop, speeds: [...speeds] });
+    const camera = change.camera ?? toldKeys(this.film_.keys);
+    this.parts_.client.send({ type: 'EditTake', title, from, to, loop, speeds: [...speeds], camera });
   }
 
   takeAgain(keep: boolean): void {

@@ -22,6 +22,8 @@ function clockOf({ from, to, stepTime }: OpenTake, step: number): string {
 
 export class TimeLine {
   readonly track: TimeTrack;
+  /** Below the track, where the tracks unfold. */
+  readonly tracks = element('div', { class: 'tracks-holder' });
   readonly root = element('section', { class: 'time-line panel', 'aria-label': 'Time line', hidden: true });
   private take_: OpenTake | null = null;
   private title_ = '';
@@ -36,7 +38,7 @@ export class TimeLine {
   ) {
     this.track = new TimeTrack(actions_);
     this.draw();
-    store_?.watch(['paths'], () => this.draw());
+    store_?.watch(['paths', 'tracks'], () => this.draw());
   }
 
   /** Null: no take is open. */
@@ -82,6 +84,7 @@ export class TimeLine {
         <div class="time-track-holder">
           <Held make={() => this.track.root} />
         </div>
+        <Held make={() => this.tracks} />
         <p class="time-stored" role="note" hidden={!take?.stored}>
           {kStored}
         </p>
@@ -109,6 +112,7 @@ export class TimeLine {
           act={() => actions.takeAgain(true)}
         />
         {this.store_ && this.paths(this.store_)}
+        {this.store_ && this.unfolds(this.store_)}
         <ToolButton
           icon="patrol"
           label="Loop"
@@ -129,6 +133,20 @@ export class TimeLine {
           act={() => actions.exportTake()}
         />
       </div>
+    );
+  }
+
+  private unfolds(store: StudioStore): VNode {
+    const { tracks } = store.state;
+    return (
+      <ToolButton
+        icon="tracks"
+        label="Tracks"
+        class="time-tracks"
+        pressed={tracks}
+        tip="What each group is told, as blocks to move, copy and retime; views and cuts of the camera"
+        act={() => store.set({ tracks: !tracks })}
+      />
     );
   }
 

@@ -181,11 +181,12 @@ struct EditTake {
     std::uint32_t to = 0;  ///< Its last step; the largest number: the end.
     bool loop = false;  ///< Plays over and over; not kept.
     std::vector<SpeedPiece> speeds;
+    std::vector<CameraKey> camera;  ///< Of its film, ascending.
 
     /// Lets an archive read or write the fields.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(title, from, to, loop, speeds);
+        archive(title, from, to, loop, speeds, camera);
     }
 };
 
@@ -464,11 +465,41 @@ struct Say {
     }
 };
 
+/// Whether the sender wants to know the tracks of the open take.
+struct WatchTracks {
+    static constexpr std::uint8_t kNumber = 35;  ///< First byte of the message.
+    bool on = false;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(on);
+    }
+};
+
+/// Changes a block of the open take and simulates everything again as another take, which opens; or takes
+/// such a change back.
+struct EditTrack {
+    static constexpr std::uint8_t kNumber = 36;  ///< First byte of the message.
+    std::uint32_t revision = 0;  ///< Of the TakeTracks that the block is from.
+    TrackEdit edit = TrackEdit::Move;
+    std::uint32_t block = 0;  ///< Its id.
+    std::uint32_t step = 0;  ///< Where it begins then; for Stretch, where it ends.
+    std::uint32_t group = 0;  ///< For Copy: whose the copy is; 0: the same group's.
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(revision, edit, block, step, group);
+        checkChoice(archive, edit);
+    }
+};
+
 /// Any message of the page; the index is its number.
 using ClientMessage = std::variant<
     Hello, Touches, Playback, SetSpeed, LoadScenario, Record, SetOverlay, Commands, Attend, FrameAck, Ping,
     Seek, TakeAgain, EditTake, AskForecasts, SetName, GiveGroup, SetScheme, SetView, Inputs, EnterStudy,
     AnswerForm, AskPath, BendPath, Edit, UndoEdit, DoInStudy, AskPlaces, WatchStages, AskStandings, AskOthers,
-    AnswerAsk, Build, KeepPlace, Say>;
+    AnswerAsk, Build, KeepPlace, Say, WatchTracks, EditTrack>;
 
 }  // namespace muster::protocol

@@ -50,6 +50,10 @@ enum class SayAct : std::uint8_t { Complete, Preview, Do, Look };
 enum class TrialEnd : std::uint8_t { None, Done, TimeOver, GivenUp, Practised };
 /// What a director did with the world of all.
 enum class WorldChange : std::uint8_t { None, Opened, Restarted, Watched, WentBack };
+/// What a block of a take's time line stands for.
+enum class TakeBlockKind : std::uint8_t { Order, Gesture, Change };
+/// What is done to the blocks of the open take.
+enum class TrackEdit : std::uint8_t { Move, Copy, Remove, Stretch, Undo, Redo };
 
 /// How many values an enumeration has.
 template <class Choice>
@@ -82,6 +86,10 @@ template <>
 inline constexpr std::size_t kChoices<TrialEnd> = 5;
 template <>
 inline constexpr std::size_t kChoices<WorldChange> = 5;
+template <>
+inline constexpr std::size_t kChoices<TakeBlockKind> = 3;
+template <>
+inline constexpr std::size_t kChoices<TrackEdit> = 6;
 
 /// Marks the input as bad where an enumeration read from it has no such value.
 template <class Archive, class Choice>
@@ -393,6 +401,23 @@ struct SpeedPiece {
     }
 };
 
+/// Where the film camera of a take is at a moment.
+struct CameraKey {
+    std::uint32_t step = 0;
+    double x = 0.0;  ///< The point on the ground that it looks at [m].
+    double y = 0.0;
+    double distance = 0.0;  ///< From there [m].
+    double turn = 0.0;  ///< [rad].
+    double pitch = 0.0;  ///< [rad].
+    bool cut = false;  ///< It is here at once; otherwise it comes from the one before.
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(step, x, y, distance, turn, pitch, cut);
+    }
+};
+
 /// Something that happens in a take, for its time line.
 struct TakeMark {
     TakeMarkKind kind = TakeMarkKind::Touch;
@@ -404,6 +429,40 @@ struct TakeMark {
     template <class Archive>
     void visit(Archive& archive) {
         archive(kind, step, length, label);
+        checkChoice(archive, kind);
+    }
+};
+
+/// A row of an open take: all that concerns one group.
+struct TakeTrack {
+    std::uint32_t group = 0;  ///< Id; 0: what concerns the place or nobody in particular.
+    std::string name;
+    std::uint32_t from = 0;  ///< Step in which the group comes.
+    std::uint32_t to = 0;  ///< In which it ends; the take's steps where it stays.
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(group, name, from, to);
+    }
+};
+
+/// One thing that a group does in the open take, with all commands that belong to it.
+struct TakeBlock {
+    std::uint32_t id = 0;  ///< Valid until the take changes.
+    std::uint32_t group = 0;
+    TakeBlockKind kind = TakeBlockKind::Order;
+    std::uint32_t begin = 0;  ///< Step of its first command.
+    std::uint32_t begun = 0;  ///< Step from which it is carried out: later for orders in a queue.
+    std::uint32_t end = 0;
+    std::string label;  ///< As people say it: 'Move to Fountain'.
+    bool moves = false;  ///< It can begin at another time, and be copied.
+    bool stretches = false;  ///< It can take another time.
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(id, group, kind, begin, begun, end, label, moves, stretches);
         checkChoice(archive, kind);
     }
 };

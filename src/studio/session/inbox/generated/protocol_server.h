@@ -239,13 +239,14 @@ struct TakeState {
     bool loop = false;
     bool stored = false;  ///< This Muster simulates it otherwise: it plays from its stored frames and cannot be changed.
     std::vector<SpeedPiece> speeds;
+    std::vector<CameraKey> camera;
     std::vector<TakeMark> marks;
     std::string beneath;  ///< Title of the world from which it was opened, which LeaveTake brings back; empty: there is none.
 
     /// Lets an archive read or write the fields.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(open, name, title, steps, stepTime, from, to, loop, stored, speeds, marks, beneath);
+        archive(open, name, title, steps, stepTime, from, to, loop, stored, speeds, camera, marks, beneath);
     }
 };
 
@@ -489,10 +490,26 @@ struct Said {
     }
 };
 
+/// Everything that somebody does in the open take, as soon as it has been read; again whenever it changes.
+struct TakeTracks {
+    static constexpr std::uint8_t kNumber = 27;  ///< First byte of the message.
+    std::uint32_t revision = 0;
+    std::vector<TakeTrack> tracks;  ///< In the order of their ids.
+    std::vector<TakeBlock> blocks;  ///< In the order in which they begin.
+    std::string undo;  ///< What the last change was; empty: there is none to take back.
+    std::string redo;  ///< What can be done again.
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(revision, tracks, blocks, undo, redo);
+    }
+};
+
 /// Any message of the server; the index is its number.
 using ServerMessage = std::variant<
     Welcome, Scene, Motions, GroupMesh, Frame, Overlay, Notice, Pong, TakePath, EditHistory, Forecasts,
     TakeState, TakeReady, TakeKept, Directors, Marks, StudyForm, StudyState, Places, StageTimes, Standings,
-    SharedWorld, Ask, AskAnswered, Scenarios, PlaceKept, Said>;
+    SharedWorld, Ask, AskAnswered, Scenarios, PlaceKept, Said, TakeTracks>;
 
 }  // namespace muster::protocol
