@@ -20,10 +20,7 @@ describe('ViewFitter', () => {
     fitter.show(() => kCrowd, []);
     const pose = { ...camera.pose };
     expect(Math.abs(pose.targetX - 22)).toBeLessThan(8);
-    fitter.show(
-      () => kCrowd.map((x) => -x),
-      [],
-    );
+    fitter.show(() => kCrowd.map((x) => -x), []);
     expect(camera.pose).toEqual(pose);
   });
 
