@@ -72,8 +72,11 @@ HttpAnswer ShelfAnswers::answer(const ShelfRequest& request) {
 }
 
 HttpAnswer ShelfAnswers::edit(const ShelfRequest& request) {
-    const auto about = readTakeAbout(textOf(request.body), "take");
+    auto about = readTakeAbout(textOf(request.body), "take");
     if (!about.ok()) return failure(about.status());
+    // Pages say here how a take is called and which part plays; edits of people come with the open take.
+    for (ShelvedTake& take : shelf_.list())
+        if (take.name == request.name && about->edits.empty()) about->edits = std::move(take.about.edits);
     const Status status = shelf_.edit(request.name, *about);
     if (status.ok()) edited_(request.name, *about);
     return doneAnswer(status);

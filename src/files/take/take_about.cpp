@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "files/take/take_edits.h"
 #include "json/json.h"
 
 namespace muster {
@@ -109,7 +110,7 @@ Status TakeAbout::check() const {
         if (!s.ok()) return s;
         earliest = speeds[i].to;
     }
-    return {};
+    return checkEdits(edits);
 }
 
 std::string writeTakeAbout(const TakeAbout& about) {
@@ -120,6 +121,7 @@ std::string writeTakeAbout(const TakeAbout& about) {
     for (const SpeedPiece& piece : about.speeds)
         value["speeds"].push(
             {{"from", piece.from}, {"to", piece.to}, {"speed", piece.speed}, {"ease", piece.ease}});
+    if (!about.edits.empty()) value["edits"] = describeEdits(about.edits);
     return compactJson(value);
 }
 
@@ -138,6 +140,8 @@ Result<TakeAbout> readTakeAbout(std::string_view text, const std::string& source
     if (status.ok()) status = readStep(*value, "to", about.to);
     if (const Json* speeds = value->find("speeds"); status.ok() && speeds != nullptr)
         status = readSpeeds(*speeds, about.speeds);
+    if (const Json* edits = value->find("edits"); status.ok() && edits != nullptr)
+        status = readEdits(*edits, about.edits);
     if (status.ok()) status = about.check();
     if (!status.ok()) return status.within(sourceName);
     return about;

@@ -197,6 +197,7 @@ Status Session::Impl::goBack(std::uint32_t id) {
 Status Session::Impl::reopen(const ParkedWorld& back) {
     if (Status s = openTake(back.takenBytes, back.def.name, back.takeName); !s.ok()) return s;
     player->edit(back.takeAbout, back.takeLoops);
+    showEdits(back.takeAbout.edits);
     player->want(back.takeStep);
     playing = back.playing && shared.builders.empty();
     speed = back.speed;

@@ -20,6 +20,12 @@ export const kPartLayouts: Readonly<Record<string, string>> = {
   ClipFrames: 'name:text motion:text rate:f32 cyclic:bool poses:u32 hips:f32s rotations:i16s',
   SpeedPiece: 'from:f64 to:f64 speed:f64 ease:f64',
   TakeMark: 'kind:<4 step:u32 length:u32 label:text',
+  EditPin: 'time:f64 x:f64 y:f64 seconds:f64',
+  EditClock: 'time:f64 own:f64',
+  EditClip: 'name:text from:f64 to:f64',
+  EditLook: 'person:u32 x:f64 y:f64 height:f64 from:f64 to:f64',
+  PeopleEdit: 'people:u32s pins:EditPin* clock:EditClock* clips:EditClip* looks:EditLook*',
+  EditFinding: 'person:u32 kind:<4 other:u32 from:f64 to:f64 x:f64 y:f64 text:text',
   RawInput: 'kind:<2 phase:<4 device:<3 button:<3 pointer:u32 key:u8 x:f64 y:f64 time:f64 shift:bool control:bool alt:bool',
   SchemeInfo: 'name:text title:text description:text mesh:bool',
   ChoiceFrame: 'text:text',
@@ -79,6 +85,7 @@ export const kClientLayouts: readonly (readonly [string, string])[] = [
   ['Build', 'on:bool'],
   ['KeepPlace', 'title:text'],
   ['Say', 'number:u32 act:<4 text:text chosen:u32s'],
+  ['EditPeople', 'edit:PeopleEdit gesture:u32 kept:bool clear:bool'],
 ];
 
 // prettier-ignore
@@ -111,4 +118,5 @@ export const kServerLayouts: readonly (readonly [string, string])[] = [
   ['Scenarios', 'scenarios:ScenarioInfo*'],
   ['PlaceKept', 'title:text name:text problem:text'],
   ['Said', 'number:u32 act:<4 sentences:text problem:text completions:SaidCompletion* forecasts:ForecastFrame* places:PlacesFrame*'],
+  ['TakeEdits', 'edits:PeopleEdit* findings:EditFinding* checked:bool'],
 ];

@@ -11,12 +11,13 @@ constexpr std::array kClientNames{
     "Hello", "Touches", "Playback", "SetSpeed", "LoadScenario", "Record", "SetOverlay", "Commands", "Attend",
     "FrameAck", "Ping", "Seek", "TakeAgain", "EditTake", "AskForecasts", "SetName", "GiveGroup", "SetScheme",
     "SetView", "Inputs", "EnterStudy", "AnswerForm", "AskPath", "BendPath", "Edit", "UndoEdit", "DoInStudy",
-    "AskPlaces", "WatchStages", "AskStandings", "AskOthers", "AnswerAsk", "Build", "KeepPlace", "Say"};
+    "AskPlaces", "WatchStages", "AskStandings", "AskOthers", "AnswerAsk", "Build", "KeepPlace", "Say",
+    "EditPeople"};
 constexpr std::array kServerNames{
     "Welcome", "Scene", "Motions", "GroupMesh", "Frame", "Overlay", "Notice", "Pong", "TakePath",
     "EditHistory", "Forecasts", "TakeState", "TakeReady", "TakeKept", "Directors", "Marks", "StudyForm",
     "StudyState", "Places", "StageTimes", "Standings", "SharedWorld", "Ask", "AskAnswered", "Scenarios",
-    "PlaceKept", "Said"};
+    "PlaceKept", "Said", "TakeEdits"};
 static_assert(kClientNames.size() == std::variant_size_v<ClientMessage>);
 static_assert(kServerNames.size() == std::variant_size_v<ServerMessage>);
 

@@ -488,10 +488,24 @@ struct Said {
     }
 };
 
+/// The edits of people in the open take; again whenever they change.
+struct TakeEdits {
+    static constexpr std::uint8_t kNumber = 27;  ///< First byte of the message.
+    std::vector<PeopleEdit> edits;
+    std::vector<EditFinding> findings;  ///< As soon as the take has been read.
+    bool checked = false;  ///< The findings are complete.
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(edits, findings, checked);
+    }
+};
+
 /// Any message of the server; the index is its number.
 using ServerMessage = std::variant<
     Welcome, Scene, Motions, GroupMesh, Frame, Overlay, Notice, Pong, TakePath, EditHistory, Forecasts,
     TakeState, TakeReady, TakeKept, Directors, Marks, StudyForm, StudyState, Places, StageTimes, Standings,
-    SharedWorld, Ask, AskAnswered, Scenarios, PlaceKept, Said>;
+    SharedWorld, Ask, AskAnswered, Scenarios, PlaceKept, Said, TakeEdits>;
 
 }  // namespace muster::protocol
