@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "json/json.h"
+#include "files/take/about_words.h"
 
 namespace muster {
 namespace {
@@ -15,17 +15,13 @@ constexpr double kLongestTake = 1e6;   // [s]
 constexpr double kFarthestPin = 1e4;   // [m]
 constexpr std::size_t kMostName = 80;  // Bytes of a clip's name.
 
-std::string text(double value) {
-    return compactJson(Json(value));
-}
-
 Status bad(const std::string& where, double found, const std::string& expected) {
-    return invalidArgument(where + ": found " + text(found) + ", expected " + expected);
+    return invalidArgument(where + ": found " + numberText(found) + ", expected " + expected);
 }
 
 Status checkRange(const std::string& where, double found, double low, double high) {
     if (found >= low && found <= high) return {};
-    return bad(where, found, text(low) + " to " + text(high));
+    return bad(where, found, numberText(low) + " to " + numberText(high));
 }
 
 std::string at(const std::string& list, std::size_t index) {
@@ -130,16 +126,12 @@ Status checkEdit(const TakeEdit& edit, const std::string& where, std::set<std::u
 
 using Field = std::pair<const char*, double*>;
 
-Status wrong(const std::string& key, const Json& found, const char* expected) {
-    return {StatusCode::ParseError, key + ": found " + describeJson(found) + ", expected " + expected};
-}
-
 Status readNumbers(const Json& object, std::initializer_list<Field> fields) {
-    if (!object.isObject()) return wrong("edits", object, "objects in it");
+    if (!object.isObject()) return wrongKind("edits", object, "objects in it");
     for (const auto& [key, value] : fields) {
         const Json* found = object.find(key);
         if (found == nullptr) continue;
-        if (!found->isNumber()) return wrong(key, *found, "a number");
+        if (!found->isNumber()) return wrongKind(key, *found, "a number");
         *value = found->number();
     }
     return {};
@@ -147,7 +139,7 @@ Status readNumbers(const Json& object, std::initializer_list<Field> fields) {
 
 Status readPerson(const Json& value, const char* key, std::uint32_t& id) {
     const bool fits = value.isWhole() && value.number() >= 0.0 && value.number() <= 4294967295.0;
-    if (!fits) return wrong(key, value, "the number of a person");
+    if (!fits) return wrongKind(key, value, "the number of a person");
     id = value.whole<std::uint32_t>();
     return {};
 }
@@ -188,14 +180,14 @@ template <class Part>
 Status readList(const Json& edit, const char* key, std::vector<Part>& parts) {
     const Json* list = edit.find(key);
     if (list == nullptr) return {};
-    if (!list->isArray()) return wrong(key, *list, "an array");
+    if (!list->isArray()) return wrongKind(key, *list, "an array");
     for (const Json& entry : list->elements())
         if (Status s = readPart(entry, parts.emplace_back()); !s.ok()) return s.within(key);
     return {};
 }
 
 Status readEdit(const Json& value, TakeEdit& edit) {
-    if (!value.isObject()) return wrong("edits", value, "objects in it");
+    if (!value.isObject()) return wrongKind("edits", value, "objects in it");
     const Json* people = value.find("people");
     if (people == nullptr || !people->isArray())
         return {StatusCode::ParseError, "people: found no array, expected the numbers of people"};
@@ -266,7 +258,7 @@ Json describeEdits(const std::vector<TakeEdit>& edits) {
 }
 
 Status readEdits(const Json& list, std::vector<TakeEdit>& edits) {
-    if (!list.isArray()) return wrong("edits", list, "an array");
+    if (!list.isArray()) return wrongKind("edits", list, "an array");
     edits.clear();
     for (const Json& entry : list.elements())
         if (Status s = readEdit(entry, edits.emplace_back()); !s.ok()) return s;

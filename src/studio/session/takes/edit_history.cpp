@@ -6,9 +6,9 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kMostSteps = 1000;
+constexpr std::size_t kMostUndone = 1000;
 
-bool has(const TakeEdit& edit, std::uint32_t id) {
+bool concerns(const TakeEdit& edit, std::uint32_t id) {
     return std::binary_search(edit.people.begin(), edit.people.end(), id);
 }
 
@@ -17,7 +17,7 @@ bool has(const TakeEdit& edit, std::uint32_t id) {
 std::vector<TakeEdit> withEdit(const std::vector<TakeEdit>& edits, const TakeEdit& edit) {
     std::vector<TakeEdit> all;
     for (TakeEdit one : edits) {
-        std::erase_if(one.people, [&](std::uint32_t id) { return has(edit, id); });
+        std::erase_if(one.people, [&](std::uint32_t id) { return concerns(edit, id); });
         if (!one.people.empty()) all.push_back(std::move(one));
     }
     if (!edit.empty()) all.push_back(edit);
@@ -27,7 +27,7 @@ std::vector<TakeEdit> withEdit(const std::vector<TakeEdit>& edits, const TakeEdi
 std::string whatChanges(const std::vector<TakeEdit>& before, const TakeEdit& edit) {
     TakeEdit old;
     for (const TakeEdit& one : before)
-        if (!edit.people.empty() && has(one, edit.people.front())) old = one;
+        if (!edit.people.empty() && concerns(one, edit.people.front())) old = one;
     std::string what = "changes";
     if (!edit.empty()) {
         if (edit.looks != old.looks) what = "look";
@@ -45,7 +45,7 @@ void EditHistoryList::add(std::vector<TakeEdit> before, std::string label, std::
     gesture_ = gesture;
     if (same) return;
     undo_.push_back({std::move(before), std::move(label)});
-    if (undo_.size() > kMostSteps) undo_.erase(undo_.begin());
+    if (undo_.size() > kMostUndone) undo_.erase(undo_.begin());
 }
 
 bool EditHistoryList::go(bool redo, std::vector<TakeEdit>& now) {

@@ -118,5 +118,5 @@ export const kServerLayouts: readonly (readonly [string, string])[] = [
   ['Scenarios', 'scenarios:ScenarioInfo*'],
   ['PlaceKept', 'title:text name:text problem:text'],
   ['Said', 'number:u32 act:<4 sentences:text problem:text completions:SaidCompletion* forecasts:ForecastFrame* places:PlacesFrame*'],
-  ['TakeEdits', 'edits:PeopleEdit* findings:EditFinding* checked:bool'],
+  ['TakeEdits', 'edits:PeopleEdit* findings:EditFinding* checked:bool clips:text*'],
 ];

@@ -1223,6 +1223,8 @@ export interface TakeEdits {
   findings: EditFinding[];
   /** The findings are complete. */
   checked: boolean;
+  /** Names of the clips that can be chosen. */
+  clips: string[];
 }
 
 /** Any message of the page. */

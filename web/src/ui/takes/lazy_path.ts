@@ -1,6 +1,6 @@
 // Changing paths of a take is loaded when somebody begins with it.
 
-import type { TakeState } from '../../protocol/messages';
+import type { TakeEdits, TakeState } from '../../protocol/messages';
 import { problem } from '../../protocol/problem';
 import type { Members, PathController, PathParts } from './path/path_controller';
 import { onShiftKey } from '../widgets/shift_key';
@@ -9,6 +9,7 @@ export function openPathsLazily(parts: PathParts): void {
   const { store, client } = parts;
   let controller: PathController | null = null;
   let take: TakeState | null = null;
+  let edits: TakeEdits | null = null;
   let loading = false;
   const members: Members = { ids: new Uint32Array(), group: new Uint16Array() };
   client.on('frame', ({ frame: { ids, group } }) => {
@@ -23,10 +24,15 @@ export function openPathsLazily(parts: PathParts): void {
     take = state;
     controller?.setTake(state);
   });
+  client.on('takeEdits', (told) => {
+    edits = told;
+    controller?.setEdits(told);
+  });
   const load = async (): Promise<void> => {
     const module = await import('./path/path_controller');
     controller = new module.PathController(parts, members);
     if (take) controller.setTake(take);
+    if (edits) controller.setEdits(edits);
     controller.setOpen(store.state.paths);
   };
   store.watch(['paths'], ({ paths }) => {

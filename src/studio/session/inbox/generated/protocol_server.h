@@ -494,11 +494,12 @@ struct TakeEdits {
     std::vector<PeopleEdit> edits;
     std::vector<EditFinding> findings;  ///< As soon as the take has been read.
     bool checked = false;  ///< The findings are complete.
+    std::vector<std::string> clips;  ///< Names of the clips that can be chosen.
 
     /// Lets an archive read or write the fields.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(edits, findings, checked);
+        archive(edits, findings, checked, clips);
     }
 };
 
