@@ -239,8 +239,8 @@ struct Session::Impl {
     std::vector<std::uint8_t> takenBytes;  // Its bytes.
     bool endSaid = false;                  // It was said that it ends.
     std::uint32_t editsRevision = 0;       // It grows with every change of edits and of what is found.
-    std::uint32_t foundFor = 0;            // The revision that `found` is about.
-    std::vector<protocol::EditFinding> found;
+    std::uint32_t troublesFor = 0;         // The revision that `troubles` is about.
+    std::vector<protocol::EditFinding> troubles;
     std::uint32_t takeRevision = 1;        // It grows with every change of what TakeState tells.
     // Recorded commands beneath a take that is directed again, by step, and the next of them.
     std::vector<Command> layer;

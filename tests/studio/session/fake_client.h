@@ -139,6 +139,7 @@ private:
         if (const auto* m = std::get_if<protocol::TakeState>(&message)) takes.push_back(*m);
         if (const auto* m = std::get_if<protocol::EditHistory>(&message)) history = *m;
         if (const auto* m = std::get_if<protocol::TakePath>(&message)) path = *m;
+        if (const auto* m = std::get_if<protocol::TakeEdits>(&message)) takeEdits = *m;
         if (const auto* m = std::get_if<protocol::TakeReady>(&message)) ready = m->steps;
         if (const auto* m = std::get_if<protocol::TakeKept>(&message)) kept.push_back(*m);
         if (const auto* m = std::get_if<protocol::StageTimes>(&message)) stageTimes.push_back(*m);
@@ -178,6 +179,7 @@ public:
     std::vector<protocol::TakeState> takes;
     protocol::EditHistory history;  ///< The newest.
     std::optional<protocol::TakePath> path;
+    std::optional<protocol::TakeEdits> takeEdits;
     std::uint32_t ready = 0;  ///< Steps of the last TakeReady.
     std::vector<protocol::TakeKept> kept;
     std::vector<protocol::StageTimes> stageTimes;

@@ -117,18 +117,18 @@ void Session::Impl::sendEdits(SessionClient& client) {
 }
 
 const std::vector<protocol::EditFinding>& Session::Impl::editFindings() {
-    if (foundFor == editsRevision) return found;
-    foundFor = editsRevision;
-    found.clear();
+    if (troublesFor == editsRevision) return troubles;
+    troublesFor = editsRevision;
+    troubles.clear();
     const double step = world->parameters().stepTime;
     const std::vector<TakeEdit>& edits = player->about().edits;
-    if (edits.empty()) return found;
-    const auto troubles = findTroubles(edits, recordedPaths(*player, *world), kPathSpacing * step,
+    if (edits.empty()) return troubles;
+    const auto found = findTroubles(edits, recordedPaths(*player, *world), kPathSpacing * step,
                                        player->steps() * step, inspect::environment(*world));
-    for (const EditFinding& one : troubles)
-        found.push_back({one.person, static_cast<protocol::EditFindingKind>(one.kind), one.other, one.from,
+    for (const EditFinding& one : found)
+        troubles.push_back({one.person, static_cast<protocol::EditFindingKind>(one.kind), one.other, one.from,
                          one.to, one.where.x, one.where.y, one.text});
-    return found;
+    return troubles;
 }
 
 }  // namespace muster
