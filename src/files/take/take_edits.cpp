@@ -15,13 +15,19 @@ constexpr double kLongestTake = 1e6;   // [s]
 constexpr double kFarthestPin = 1e4;   // [m]
 constexpr std::size_t kMostName = 80;  // Bytes of a clip's name.
 
+/// A number without decimals where it has none.
+std::string plain(double value) {
+    const bool whole = std::fabs(value) < 1e9 && value == std::floor(value);
+    return whole ? std::to_string(static_cast<std::int64_t>(value)) : numberText(value);
+}
+
 Status bad(const std::string& where, double found, const std::string& expected) {
-    return invalidArgument(where + ": found " + numberText(found) + ", expected " + expected);
+    return invalidArgument(where + ": found " + plain(found) + ", expected " + expected);
 }
 
 Status checkRange(const std::string& where, double found, double low, double high) {
     if (found >= low && found <= high) return {};
-    return bad(where, found, numberText(low) + " to " + numberText(high));
+    return bad(where, found, plain(low) + " to " + plain(high));
 }
 
 std::string at(const std::string& list, std::size_t index) {
