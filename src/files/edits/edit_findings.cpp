@@ -12,15 +12,15 @@
 namespace muster {
 namespace {
 
-constexpr double kSample = 0.1;       // [s]
-constexpr double kSpeedSpan = 0.4;    // Time over which a speed is measured [s].
-constexpr double kTouching = 0.9;     // Bodies nearer than this share of their radii overlap.
-constexpr double kAtWall = 0.03;      // So much of a body may be in an obstacle [m].
-constexpr double kFaster = 1.1;       // More than this share of the top speed is too fast.
-constexpr double kMoved = 0.01;       // A smaller displacement is none [m].
-constexpr double kPause = 0.35;       // Findings nearer in time are one [s].
-constexpr std::size_t kMost = 20;     // Findings of a person.
-constexpr double kWidest = 1.5;       // Largest radius of a body [m].
+constexpr double kSample = 0.1;        // [s]
+constexpr double kSpeedSpan = 0.4;     // Time over which a speed is measured [s].
+constexpr double kOverlapShare = 0.9;  // Bodies nearer than this share of their radii overlap.
+constexpr double kAtWall = 0.03;       // So much of a body may be in an obstacle [m].
+constexpr double kFaster = 1.1;        // More than this share of the top speed is too fast.
+constexpr double kMoved = 0.01;        // A smaller displacement is none [m].
+constexpr double kPause = 0.35;        // Findings nearer in time are one [s].
+constexpr std::size_t kMost = 20;      // Findings of a person.
+constexpr double kWidest = 1.5;        // Largest radius of a body [m].
 
 std::optional<Vec2> recordedAt(const RecordedPath& path, double spacing, double time) {
     if (path.points.empty()) return std::nullopt;
@@ -114,13 +114,16 @@ private:
     std::string words(const EditFinding& one, const RecordedPath& path) const {
         char text[120];
         switch (one.kind) {
-            case FindingKind::Person: return "overlaps with person " + std::to_string(one.other);
-            case FindingKind::Outside: return "leaves the ground";
+            case FindingKind::Person:
+                return "overlaps with person " + std::to_string(one.other);
+            case FindingKind::Outside:
+                return "leaves the ground";
             case FindingKind::Speed:
                 std::snprintf(text, sizeof text, "goes %.1f m/s, though %.1f are possible,", one.worst,
                               path.topSpeed);
                 return text;
-            case FindingKind::Obstacle: break;
+            case FindingKind::Obstacle:
+                break;
         }
         const ObstacleDef* def = environment_.obstacle(ObstacleId{one.other});
         const bool named = def != nullptr && !def->name.empty();
@@ -187,7 +190,7 @@ private:
         for (; other != now_.end() && other->x <= at.x + reach; ++other) {
             if (other->path->person == path.person) continue;
             const double both = path.radius + other->path->radius, away = distance(at, other->at);
-            if (away < kTouching * both)
+            if (away < kOverlapShare * both)
                 list.add(path, FindingKind::Person, other->path->person, time, at, both - away);
         }
     }

@@ -41,8 +41,8 @@ struct EditFinding {
 };
 
 /// Looks along the edited paths, in steps of a tenth of a second and only where they differ from the recorded
-/// ones. `paths` in ascending order of ids, with points `spacing` [s] apart, up to `end` [s] of the take. Of a
-/// person there are at most 20 findings, the first ones.
+/// ones. `paths` in ascending order of ids, with points `spacing` [s] apart, up to `end` [s] of the take. Of
+/// a person there are at most 20 findings, the first ones.
 std::vector<EditFinding> findTroubles(const std::vector<TakeEdit>& edits, std::span<const RecordedPath> paths,
                                       double spacing, double end, const Environment& environment);
 

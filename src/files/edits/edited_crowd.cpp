@@ -12,10 +12,10 @@
 namespace muster {
 namespace {
 
-constexpr double kSameTime = 1e-9;   // [s]
-constexpr double kGoing = 0.5;       // Speed from which the way alone tells where somebody faces [m/s].
-constexpr double kOtherWay = 0.3;    // Difference of velocities from which it counts in full [m/s].
-constexpr float kEyes = 1.6f;        // Height of the eyes of who is looked at [m].
+constexpr double kSameTime = 1e-9;  // [s]
+constexpr double kGoing = 0.5;      // Speed from which the way alone tells where somebody faces [m/s].
+constexpr double kOtherWay = 0.3;   // Difference of velocities from which it counts in full [m/s].
+constexpr float kEyes = 1.6f;       // Height of the eyes of who is looked at [m].
 
 double smooth(double share) {
     const double s = std::clamp(share, 0.0, 1.0);
@@ -33,9 +33,8 @@ double wrapped(double angle) {
 /// The part that a time lies in; null for none.
 template <class Part>
 const Part* partAt(const std::vector<Part>& parts, double time) {
-    const auto found = std::find_if(parts.begin(), parts.end(), [&](const Part& part) {
-        return time >= part.from && time < part.to;
-    });
+    const auto found = std::find_if(parts.begin(), parts.end(),
+                                    [&](const Part& part) { return time >= part.from && time < part.to; });
     return found == parts.end() ? nullptr : &*found;
 }
 

@@ -26,15 +26,15 @@ public:
 
     /// Tracks of those with clocks of their own; without them their clocks run as usual.
     void setTracks(std::shared_ptr<const OwnTracks> tracks) { tracks_ = std::move(tracks); }
-    /// How edited people who are there are shown, in ascending order of ids. Call it after every step; where steps
-    /// were left out, motions of the ground begin as steady ones.
+    /// How edited people who are there are shown, in ascending order of ids. Call it after every step; where
+    /// steps were left out, motions of the ground begin as steady ones.
     std::span<const ShownCharacter> shown(const World& world);
     /// The same as the last time.
     std::span<const ShownCharacter> shown() const { return shown_; }
 
-    const std::vector<TakeEdit>& edits() const { return edits_; }           ///< The edits.
-    const std::vector<std::uint32_t>& people() const { return people_; }    ///< Who is edited, ascending.
-    bool empty() const { return people_.empty(); }                          ///< True where nobody is.
+    const std::vector<TakeEdit>& edits() const { return edits_; }         ///< The edits.
+    const std::vector<std::uint32_t>& people() const { return people_; }  ///< Who is edited, ascending.
+    bool empty() const { return people_.empty(); }                        ///< True where nobody is.
 
 private:
     void show(const World& world, std::size_t index, std::size_t person);
@@ -54,8 +54,8 @@ private:
     Characters one_;  ///< Working memory: a single character.
 };
 
-/// Where the simulation of motions has somebody with that velocity face, where it faced `heading` while it went at
-/// `recorded`.
+/// Where the simulation of motions has somebody with that velocity face, where it faced `heading` while it
+/// went at `recorded`.
 Vec2 turnedHeading(Vec2 heading, Vec2 recorded, Vec2 velocity);
 
 }  // namespace muster

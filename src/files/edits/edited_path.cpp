@@ -44,8 +44,7 @@ OwnTime OwnClock::at(double time) const {
     const double span = b.time - a.time, s = (time - a.time) / span, rise = b.own - a.own;
     const double m0 = slopes_[k] * span, m1 = slopes_[k + 1] * span;
     const double c2 = 3.0 * rise - 2.0 * m0 - m1, c3 = m0 + m1 - 2.0 * rise;
-    return {a.own + s * (m0 + s * (c2 + s * c3)),
-            std::max(0.0, (m0 + s * (2.0 * c2 + 3.0 * s * c3)) / span)};
+    return {a.own + s * (m0 + s * (c2 + s * c3)), std::max(0.0, (m0 + s * (2.0 * c2 + 3.0 * s * c3)) / span)};
 }
 
 double OwnClock::when(double own) const {

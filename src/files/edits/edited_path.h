@@ -8,8 +8,8 @@
 
 namespace muster {
 
-/// 1 at the moment of a pin, 0 at the end of its reach; twice continuously differentiable, and with its mirror
-/// image it adds up to 1.
+/// 1 at the moment of a pin, 0 at the end of its reach; twice continuously differentiable, and with its
+/// mirror image it adds up to 1.
 double pinWeight(double share);
 /// Its derivative by the share.
 double pinWeightSlope(double share);
@@ -20,8 +20,8 @@ struct OwnTime {
     double rate = 1.0;  ///< Seconds of the recording per second, 0 or more.
 };
 
-/// The clock of edited people: monotone cubic pieces through its points (Fritsch and Carlson 1980), and as usual
-/// before and after them.
+/// The clock of edited people: monotone cubic pieces through its points (Fritsch and Carlson 1980), and as
+/// usual before and after them.
 class OwnClock {
 public:
     /// The points must pass checkEdits().

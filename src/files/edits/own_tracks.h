@@ -26,8 +26,8 @@ public:
 
     /// Call before the first step and after each; steps that come again are passed over.
     void observe(const World& world);
-    /// Where somebody was after that many steps, also between two; the nearest where it was not there then. False
-    /// where nothing is known of it.
+    /// Where somebody was after that many steps, also between two; the nearest where it was not there then.
+    /// False where nothing is known of it.
     bool at(std::uint32_t id, double step, TrackPoint& point) const;
     const std::vector<std::uint32_t>& people() const { return people_; }  ///< Whose tracks it gathers.
 
@@ -44,8 +44,8 @@ private:
 std::vector<std::uint32_t> peopleWithClocks(const std::vector<TakeEdit>& edits);
 /// Everybody with an edit, in ascending order.
 std::vector<std::uint32_t> editedPeople(const std::vector<TakeEdit>& edits);
-/// Gathers the tracks that the take's own edits need up to that time of the take [s], by simulating it or from
-/// its stored frames. Fails as replayTake().
+/// Gathers the tracks that the take's own edits need up to that time of the take [s], by simulating it or
+/// from its stored frames. Fails as replayTake().
 Result<OwnTracks> gatherTracks(const Take& take, double until, std::int32_t threads, ReplayFrom from);
 
 }  // namespace muster

@@ -28,8 +28,8 @@ public:
         while (at_ < all.size() && all.id[at_] < id) ++at_;
         if (at_ == all.size() || all.id[at_] != id) return {};
         const GroupView group = world_.group(all.group[at_]);
-        PersonFacts facts{group.id.value, all.motion[at_], at_ < all.goal.size() ? all.goal[at_] : 0, group.name,
-                          length(all.velocity[at_])};
+        PersonFacts facts{group.id.value, all.motion[at_], at_ < all.goal.size() ? all.goal[at_] : 0,
+                          group.name, length(all.velocity[at_])};
         while (next_ < shown_.size() && shown_[next_].id < id) ++next_;
         if (next_ == shown_.size() || shown_[next_].id != id || !shown_[next_].moved) return facts;
         facts.motion = shown_[next_].motion;

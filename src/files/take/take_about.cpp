@@ -14,8 +14,8 @@ constexpr double kSlowest = 0.1, kFastest = 8.0;  // [seconds of the take per se
 
 Status checkPiece(const SpeedPiece& piece, double earliest, const std::string& where) {
     if (!std::isfinite(piece.from) || piece.from < earliest)
-        return invalidArgument(where + ".from: found " + numberText(piece.from) + ", expected " + numberText(earliest) +
-                               " or later");
+        return invalidArgument(where + ".from: found " + numberText(piece.from) + ", expected " +
+                               numberText(earliest) + " or later");
     if (!std::isfinite(piece.to) || piece.to <= piece.from)
         return invalidArgument(where + ".to: found " + numberText(piece.to) + ", expected later than from");
     if (!(piece.speed >= kSlowest && piece.speed <= kFastest))

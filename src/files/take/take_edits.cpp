@@ -151,10 +151,8 @@ Status readPerson(const Json& value, const char* key, std::uint32_t& id) {
 }
 
 Status readPart(const Json& entry, PathPin& pin) {
-    return readNumbers(entry, {{"time", &pin.time},
-                               {"x", &pin.offset.x},
-                               {"y", &pin.offset.y},
-                               {"seconds", &pin.seconds}});
+    return readNumbers(
+        entry, {{"time", &pin.time}, {"x", &pin.offset.x}, {"y", &pin.offset.y}, {"seconds", &pin.seconds}});
 }
 
 Status readPart(const Json& entry, ClockPoint& point) {
@@ -249,10 +247,8 @@ Json describeEdits(const std::vector<TakeEdit>& edits) {
         value["people"] = Json::array();
         for (const std::uint32_t id : edit.people) value["people"].push(Json(id));
         for (const PathPin& pin : edit.pins)
-            value["pins"].push({{"time", pin.time},
-                                {"x", pin.offset.x},
-                                {"y", pin.offset.y},
-                                {"seconds", pin.seconds}});
+            value["pins"].push(
+                {{"time", pin.time}, {"x", pin.offset.x}, {"y", pin.offset.y}, {"seconds", pin.seconds}});
         for (const ClockPoint& point : edit.clock)
             value["clock"].push({{"time", point.time}, {"own", point.own}});
         for (const ClipPart& part : edit.clips)

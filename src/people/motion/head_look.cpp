@@ -20,9 +20,8 @@ struct Share {
     JointRole joint;
     double free, bound;
 };
-constexpr std::array<Share, 3> kShares{{{JointRole::Chest, 0.2, 0.0},
-                                        {JointRole::Neck, 0.3, 0.4},
-                                        {JointRole::Head, 0.5, 0.6}}};
+constexpr std::array<Share, 3> kShares{
+    {{JointRole::Chest, 0.2, 0.0}, {JointRole::Neck, 0.3, 0.4}, {JointRole::Head, 0.5, 0.6}}};
 
 /// The angle in -pi to pi.
 double wrapped(double angle) {
@@ -43,8 +42,8 @@ HeadTurn wantedTurn(const Mover& mover, const Transform& head, Vec3 target) {
     const Vec2 away = mover.facing.applyInverse(
         Vec2{static_cast<double>(target.x), static_cast<double>(target.y)} - mover.position);
     const auto size = static_cast<double>(mover.size);
-    const Vec2 left = away / size - Vec2{static_cast<double>(head.translation.x),
-                                         static_cast<double>(head.translation.y)};
+    const Vec2 left = away / size -
+                      Vec2{static_cast<double>(head.translation.x), static_cast<double>(head.translation.y)};
     const double up = static_cast<double>(target.z) / size - static_cast<double>(head.translation.z);
     const Vec3 face = rotate(head.rotation, {1.0f, 0.0f, 0.0f});
     const double faceYaw = arcTangent2(static_cast<double>(face.y), static_cast<double>(face.x));

@@ -8,8 +8,8 @@
 
 namespace muster {
 
-/// Turns the head of the body that solveBody() has posed towards `target` [m in the world], by its limits, and
-/// smoothly back where there is none. `free`: the arms are, so that the chest may turn, too.
+/// Turns the head of the body that solveBody() has posed towards `target` [m in the world], by its limits,
+/// and smoothly back where there is none. `free`: the arms are, so that the chest may turn, too.
 void turnHead(const Mover& mover, const std::optional<Vec3>& target, float dt, bool free, PosedBody& body);
 
 }  // namespace muster

@@ -241,7 +241,7 @@ struct Session::Impl {
     std::uint32_t editsRevision = 0;       // It grows with every change of edits and of what is found.
     std::uint32_t troublesFor = 0;         // The revision that `troubles` is about.
     std::vector<protocol::EditFinding> troubles;
-    std::uint32_t takeRevision = 1;        // It grows with every change of what TakeState tells.
+    std::uint32_t takeRevision = 1;  // It grows with every change of what TakeState tells.
     // Recorded commands beneath a take that is directed again, by step, and the next of them.
     std::vector<Command> layer;
     std::size_t nextOfLayer = 0;

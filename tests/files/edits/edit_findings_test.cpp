@@ -31,7 +31,8 @@ Environment groundWith(const std::vector<ObstacleDef>& obstacles) {
 
 TEST_CASE("edit findings: who is led onto another's path overlaps while the bodies meet") {
     // Both walk side by side, 2 m apart; a pin at 10 s brings the first onto the second.
-    const std::vector<RecordedPath> paths{walker(1, {0.0, 0.0}), walker(2, {0.0, 2.0}), walker(3, {0.0, -9.0})};
+    const std::vector<RecordedPath> paths{walker(1, {0.0, 0.0}), walker(2, {0.0, 2.0}),
+                                          walker(3, {0.0, -9.0})};
     const std::vector<TakeEdit> edits{{{1}, {{10.0, {0.0, 2.0}, 4.0}}, {}, {}, {}}};
     const Environment ground = groundWith({});
     const auto found = findTroubles(edits, paths, kSpacing, 20.0, ground);
@@ -71,17 +72,20 @@ TEST_CASE("edit findings: too fast, and off the ground") {
     const Environment ground = groundWith({});
     const std::vector<RecordedPath> paths{walker(1, {0.0, 0.0})};
     // 5 m aside within a second: 1.875 * 5 m/s at most.
-    const auto fast = findTroubles({{{1}, {{10.0, {0.0, 5.0}, 1.0}}, {}, {}, {}}}, paths, kSpacing, 20.0, ground);
+    const auto fast = findTroubles({{{1}, {{10.0, {0.0, 5.0}, 1.0}}, {}, {}, {}}}, paths, kSpacing, 20.0,
+                                   ground);
     REQUIRE_FALSE(fast.empty());
     CHECK(fast[0].kind == FindingKind::Speed);
     CHECK(fast[0].worst > 5.0);
     CHECK(fast[0].worst < 9.5);
-    const auto away = findTroubles({{{1}, {{10.0, {0.0, 30.0}, 60.0}}, {}, {}, {}}}, paths, kSpacing, 20.0, ground);
+    const auto away = findTroubles({{{1}, {{10.0, {0.0, 30.0}, 60.0}}, {}, {}, {}}}, paths, kSpacing, 20.0,
+                                   ground);
     REQUIRE_FALSE(away.empty());
     CHECK(away[0].kind == FindingKind::Outside);
     CHECK(away[0].text.starts_with("leaves the ground from "));
     // Three times as fast for two seconds.
-    const auto hurried = findTroubles({{{1}, {}, {{4.0, 4.0}, {6.0, 10.0}}, {}, {}}}, paths, kSpacing, 20.0, ground);
+    const auto hurried = findTroubles({{{1}, {}, {{4.0, 4.0}, {6.0, 10.0}}, {}, {}}}, paths, kSpacing, 20.0,
+                                      ground);
     REQUIRE(hurried.size() == 1);
     CHECK(hurried[0].kind == FindingKind::Speed);
 }

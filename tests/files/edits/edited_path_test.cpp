@@ -24,7 +24,8 @@ TEST_CASE("edited path: each pin is met exactly, and the path is smooth between 
         const PinMove here = pinMove(pins, t);
         const Vec2 slope = (pinMove(pins, t + 1e-6).offset - pinMove(pins, t - 1e-6).offset) / 2e-6;
         CHECK(distance(slope, here.velocity) < 1e-4);
-        CHECK(length(here.velocity) <= 1.875 * (length(Vec2{1.0, 0.5}) / 1.0 + length(Vec2{2.0, 1.0}) / 0.4) + 1e-9);
+        CHECK(length(here.velocity) <=
+              1.875 * (length(Vec2{1.0, 0.5}) / 1.0 + length(Vec2{2.0, 1.0}) / 0.4) + 1e-9);
         CHECK(distance(before, here.velocity) < 0.2);
         before = here.velocity;
     }

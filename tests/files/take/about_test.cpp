@@ -91,8 +91,11 @@ TEST_CASE("Unknown words are ignored, wrong ones named") {
 
 TEST_CASE("Edits of people come back, and each bad one is named") {
     TakeAbout about{.title = "March"};
-    about.edits = {{{3, 7}, {{1.5, {0.25, -2.0}, 2.0}, {4.0, {1.0, 0.0}, 60.0}}, {{2.0, 2.0}, {5.0, 4.0}},
-                    {{"jog", 1.0, 2.5}}, {{9, {}, 1.6, 0.0, 3.0}, {0, {4.0, 5.0}, 2.5, 3.0, 4.0}}},
+    about.edits = {{{3, 7},
+                    {{1.5, {0.25, -2.0}, 2.0}, {4.0, {1.0, 0.0}, 60.0}},
+                    {{2.0, 2.0}, {5.0, 4.0}},
+                    {{"jog", 1.0, 2.5}},
+                    {{9, {}, 1.6, 0.0, 3.0}, {0, {4.0, 5.0}, 2.5, 3.0, 4.0}}},
                    {{8}, {}, {}, {{"crawl", 0.0, 1.0}}, {}}};
     const auto read = readTakeAbout(writeTakeAbout(about), "take");
     REQUIRE_MESSAGE(read.ok(), read.status().message());

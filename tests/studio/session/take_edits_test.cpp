@@ -128,7 +128,8 @@ TEST_CASE("bad edits are refused by a sentence and change nothing") {
     };
     CHECK(refused({{}, {}, {}, {}, {}}).find("found nobody") != std::string::npos);
     CHECK(refused({{99}, {{1.0, 1.0, 0.0, 1.0}}, {}, {}, {}}).find("no person 99") != std::string::npos);
-    CHECK(refused({{1}, {}, {}, {{"fly", 1.0, 2.0}}, {}}).find("no clip \"fly\"; there are") != std::string::npos);
+    CHECK(refused({{1}, {}, {}, {{"fly", 1.0, 2.0}}, {}}).find("no clip \"fly\"; there are") !=
+          std::string::npos);
     const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK_FALSE(refused({{1}, {{nan, 1.0, 0.0, 1.0}}, {}, {}, {}}).empty());
 }

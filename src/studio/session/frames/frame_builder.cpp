@@ -185,8 +185,7 @@ double FrameBuilder::lagP95(const World& world) {
     return lags_[rank];
 }
 
-void FrameBuilder::build(const World& world, protocol::Frame& frame,
-                         std::span<const ShownCharacter> shown) {
+void FrameBuilder::build(const World& world, protocol::Frame& frame, std::span<const ShownCharacter> shown) {
     frame.step = world.stepCount();
     frame.time = world.time();
     buildCharacters(world, frame, shown);

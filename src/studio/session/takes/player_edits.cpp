@@ -26,9 +26,9 @@ void PlayerEdits::set(const std::vector<TakeEdit>& edits, const ClipLibrary& lib
 void PlayerEdits::beginGathering(std::vector<std::uint32_t> people) {
     auto world = World::create(take_->def, 1);
     if (!world.ok()) return;
-    gatherer_ = std::make_unique<Gatherer>(
-        Gatherer{std::move(world).value(), stored_ ? Replayer::stored(*take_) : Replayer(*take_),
-                 OwnTracks(std::move(people))});
+    gatherer_ = std::make_unique<Gatherer>(Gatherer{std::move(world).value(),
+                                                    stored_ ? Replayer::stored(*take_) : Replayer(*take_),
+                                                    OwnTracks(std::move(people))});
     gatherer_->tracks.observe(gatherer_->world);
 }
 

@@ -124,10 +124,10 @@ const std::vector<protocol::EditFinding>& Session::Impl::editFindings() {
     const std::vector<TakeEdit>& edits = player->about().edits;
     if (edits.empty()) return troubles;
     const auto found = findTroubles(edits, recordedPaths(*player, *world), kPathSpacing * step,
-                                       player->steps() * step, inspect::environment(*world));
+                                    player->steps() * step, inspect::environment(*world));
     for (const EditFinding& one : found)
         troubles.push_back({one.person, static_cast<protocol::EditFindingKind>(one.kind), one.other, one.from,
-                         one.to, one.where.x, one.where.y, one.text});
+                            one.to, one.where.x, one.where.y, one.text});
     return troubles;
 }
 

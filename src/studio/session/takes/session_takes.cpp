@@ -245,7 +245,8 @@ void Session::prepare() {
         const bool reading = impl_->player->preparing();
         if (impl_->player->prepare(impl_->motion)) impl_->player->showAgain(*impl_->world);
         // Now it is known what is wrong with edits.
-        if (reading && !impl_->player->preparing() && !impl_->player->about().edits.empty()) impl_->touchEdits();
+        if (reading && !impl_->player->preparing() && !impl_->player->about().edits.empty())
+            impl_->touchEdits();
     }
     if (impl_->player && impl_->player->marked()) impl_->keepChanged();
 }

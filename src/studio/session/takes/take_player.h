@@ -10,10 +10,10 @@
 #include "files/take/replayer.h"
 #include "files/take/take_frames.h"
 #include "muster/take.h"
-#include "studio/session/takes/edit_history.h"
-#include "studio/session/takes/player_edits.h"
 #include "studio/session/frames/motion_frames.h"
 #include "studio/session/inbox/protocol.h"
+#include "studio/session/takes/edit_history.h"
+#include "studio/session/takes/player_edits.h"
 #include "studio/session/takes/take_moments.h"
 #include "studio/session/takes/take_paths.h"
 

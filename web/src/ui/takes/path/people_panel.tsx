@@ -258,6 +258,7 @@ export function PeopleTools({ state, editor }: Props): VNode {
           {!isEmpty(edit) && (
             <ToolButton
               label="Remove changes"
+              word="Reset"
               class="path-remove"
               tip="They are shown as recorded"
               act={() => editor.change({ pins: [], clock: [], clips: [], looks: [] })}
