@@ -11,12 +11,12 @@ bool ChosenPeople::inGroup(const World& world, std::uint32_t index) const {
     return std::find(def_.groups.begin(), def_.groups.end(), id) != def_.groups.end();
 }
 
-std::size_t ChosenPeople::countIn(const World& world) const {
+std::vector<std::uint32_t> ChosenPeople::idsIn(const World& world) const {
     const CharactersView view = world.characters();
-    std::size_t count = 0;
+    std::vector<std::uint32_t> ids;
     for (std::size_t i = 0; i < view.size(); ++i)
-        count += inRange(view.id[i]) && inGroup(world, view.group[i]) ? 1 : 0;
-    return count;
+        if (inRange(view.id[i]) && inGroup(world, view.group[i])) ids.push_back(view.id[i]);
+    return ids;
 }
 
 void ChosenPeople::keep(const World& world, std::vector<ExportCharacter>& characters) {

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <set>
-#include <span>
 #include <vector>
 
 #include "files/export/exporter.h"
@@ -18,14 +17,14 @@ public:
 
     /// True where the definition leaves out nobody.
     bool all() const { return def_.groups.empty() && inRange(0) && inRange(0xffffffffu); }
-    /// The number of chosen characters of a world that has not been stepped.
-    std::size_t countIn(const World& world) const;
+    bool inRange(std::uint32_t id) const { return id >= def_.firstPerson && id <= def_.lastPerson; }
+    /// The chosen characters of a world that has not been stepped, ascending.
+    std::vector<std::uint32_t> idsIn(const World& world) const;
     /// Takes all others out of the frame's characters, which are in ascending order of ids.
     void keep(const World& world, std::vector<ExportCharacter>& characters);
     bool anyone() const { return anyone_; }  ///< True where somebody has been kept.
 
 private:
-    bool inRange(std::uint32_t id) const { return id >= def_.firstPerson && id <= def_.lastPerson; }
     bool inGroup(const World& world, std::uint32_t index) const;
 
     const ExportDef& def_;

@@ -24,6 +24,10 @@ void crateWord(std::uint64_t value, int bytes, std::string& out) {
     for (int i = 0; i < bytes; ++i) out += static_cast<char>(value >> (8 * i) & 255u);
 }
 
+void crateReal(double value, std::string& out) {
+    crateWord(bitCast<std::uint64_t>(value), 8, out);
+}
+
 std::string crateBytes(std::string_view bytes) {
     std::string out(1, '\0');  // One block.
     if (bytes.size() < 15) {

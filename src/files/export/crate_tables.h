@@ -17,6 +17,7 @@ std::string crateBytes(std::string_view bytes);
 /// Whole numbers as differences with two bits of length each, in that form.
 std::string crateNumbers(std::span<const std::uint32_t> numbers);
 void crateWord(std::uint64_t value, int bytes, std::string& out);  ///< Least significant byte first.
+void crateReal(double value, std::string& out);                    ///< With all its 8 bytes.
 
 /// A value of a field: its type, and it itself or where it lies in the file.
 using CrateValue = std::uint64_t;

@@ -1,5 +1,6 @@
 #include <cstdio>
 
+#include "base/csv_field.h"
 #include "base/maths.h"
 #include "base/output_file.h"
 #include "files/export/formats.h"
@@ -7,14 +8,6 @@
 
 namespace muster {
 namespace {
-
-/// A text as a field: in quotes where it holds what separates fields.
-std::string field(std::string_view text) {
-    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + '"';
-}
 
 class CsvExporter : public Exporter {
 public:
@@ -24,7 +17,7 @@ public:
     bool wantsClips() const override { return true; }
 
     Status begin(const ExportInfo& info) override {
-        for (const Clip& clip : info.clips->clips) motions_.push_back(field(clip.name));
+        for (const Clip& clip : info.clips->clips) motions_.push_back(csvField(clip.name));
         if (Status s = file_.open(path_); !s.ok()) return s;
         return file_.write("time_s,person,group,group_name,x_m,y_m,heading_deg,speed_m_s,motion,goal\n");
     }
@@ -38,7 +31,7 @@ public:
             std::snprintf(line, sizeof(line), "%.4f,%u,", frame.time, c.id);
             text_ += line;
             // Who has just left has no group any more.
-            text_ += facts.group > 0 ? std::to_string(facts.group) + "," + field(facts.groupName) : ",";
+            text_ += facts.group > 0 ? std::to_string(facts.group) + "," + csvField(facts.groupName) : ",";
             std::snprintf(line, sizeof(line), ",%.4f,%.4f,%.2f,%.4f,", c.position.x, c.position.y,
                           static_cast<double>(c.yaw) * 180.0 / kPi, facts.speed);
             text_ += line;

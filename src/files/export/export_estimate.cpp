@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <span>
 
 #include "files/export/chosen_people.h"
 #include "muster/export.h"
@@ -31,22 +32,17 @@ Growth growthOf(std::string_view format) {
 struct Attendance {
     std::vector<std::uint32_t> start;  ///< Ids of those who are there before the first step.
     double people = 0.0;               ///< Of the whole part.
-    double records = 0.0;              ///< Characters in all its frames together.
+    double records = 0.0;              ///< Characters that have a record, in all its frames together.
 };
 
 /// Counts the chosen characters by the stored frames of a take.
 class AttendanceCount {
 public:
-    AttendanceCount(const ExportDef& def, const World& world) : def_(def) {
+    AttendanceCount(const ExportDef& def, const World& world) : chosen_(def), start_(chosen_.idsIn(world)) {
         const CharactersView view = world.characters();
-        std::vector<ExportCharacter> chosen;
-        for (std::size_t i = 0; i < view.size(); ++i)
-            chosen.push_back({view.id[i], view.group[i], view.position[i]});
-        ChosenPeople(def).keep(world, chosen);
-        for (const ExportCharacter& c : chosen) start_.push_back(c.id);
         newest_ = view.size() > 0 ? view.id.back() : 0;
         // Of those who come later nobody knows the group.
-        if (!def.groups.empty())
+        if (!def.groups.empty() && view.size() > 0)
             later_ = static_cast<double>(start_.size()) / static_cast<double>(view.size());
     }
 
@@ -71,23 +67,22 @@ public:
 
 private:
     double count(const TakeFrame& frame, std::set<std::uint32_t>& seen) const {
-        double sum = 0.0;
-        for (const std::uint32_t id : frame.ids) sum += weightOf(id);
         seen.insert(frame.ids.begin(), frame.ids.end());
-        return sum;
+        return weight(frame.ids);
     }
-    double weight(const std::set<std::uint32_t>& ids) const {
+    template <class Ids>
+    double weight(const Ids& ids) const {
         double sum = 0.0;
         for (const std::uint32_t id : ids) sum += weightOf(id);
         return sum;
     }
     double weightOf(std::uint32_t id) const {
-        if (id < def_.firstPerson || id > def_.lastPerson) return 0.0;
+        if (!chosen_.inRange(id)) return 0.0;
         if (id > newest_) return later_;
         return std::binary_search(start_.begin(), start_.end(), id) ? 1.0 : 0.0;
     }
 
-    const ExportDef& def_;
+    ChosenPeople chosen_;
     std::vector<std::uint32_t> start_;
     std::uint32_t newest_ = 0;
     double later_ = 1.0;
@@ -143,8 +138,7 @@ Result<double> extrapolated(const Sampler& sampler, const Attendance& who, Growt
     if (!one.ok() || !more.ok()) return one.ok() ? more : one;
     if (!growth.waits || who.start.size() < 2) {
         const double record = (*more - *one) / (extra * many);
-        const double records = growth.waits ? who.people * static_cast<double>(allFrames) : who.records;
-        return *one + record * (records - many);
+        return *one + record * (who.records - many);
     }
     const std::size_t few = who.start.size() / 2;
     const auto fewOne = sampler.measure(1, who.start[few - 1]),
@@ -169,17 +163,17 @@ Result<ExportEstimate> estimateExport(const Take& take, std::string_view format,
     const auto start = World::create(take.def, part.threads);
     if (!start.ok()) return start.status();
     const Growth growth = growthOf(format);
-    const Attendance who = AttendanceCount(part, *start).of(take, *times);
+    Attendance who = AttendanceCount(part, *start).of(take, *times);
+    if (growth.waits) who.records = who.people * static_cast<double>(times->size());
     const Sampler sampler(part, path, write);
     const double most = growth.uneven ? kManyRecords : kFewRecords;
-    const double records = growth.waits ? who.people * static_cast<double>(times->size()) : who.records;
     const double whole = static_cast<double>(take.steps()) * take.def.parameters.stepTime * part.fps;
     const auto frames = static_cast<std::size_t>(
         std::clamp(most / std::max<double>(1.0, static_cast<double>(who.start.size())), 2.0, whole + 1.0));
     ExportEstimate estimate{0.0, static_cast<std::size_t>(who.people + 0.5), times->size()};
     // A small export is made as it is, and so is one of people who all come later.
     const double moves = who.people * part.to / take.def.parameters.stepTime;
-    const bool small = (records <= 2.0 * most && moves <= kMostMoves) || who.start.empty() || frames < 2;
+    const bool small = (who.records <= 2.0 * most && moves <= kMostMoves) || who.start.empty() || frames < 2;
     const auto bytes = small ? sampler.measure(part)
                              : extrapolated(sampler, who, growth, frames, times->size());
     if (!bytes.ok()) return bytes.status();

@@ -153,6 +153,16 @@ private:
 /// Steps of the integration of a frame's way through the take.
 constexpr int kSpeedSamples = 8;
 
+/// How the take's edits show the crowd in that part.
+Result<EditedCrowd> editedCrowd(const Take& take, const ClipLibrary& library, const ExportDef& part,
+                                ReplayFrom from) {
+    auto tracks = gatherTracks(take, part.to, part.threads, from);
+    if (!tracks.ok()) return tracks.status();
+    EditedCrowd edited(take.about.edits, library);
+    edited.setTracks(std::make_shared<const OwnTracks>(std::move(tracks).value()));
+    return edited;
+}
+
 /// The times of the frames in the take.
 std::vector<double> timesOf(const ExportDef& def) {
     std::vector<double> times;
@@ -203,14 +213,12 @@ Status exportTake(const Take& take, const ClipLibrary& library, const ExportDef&
     if (!times.ok()) return times.status();
     auto start = World::create(take.def, part.threads);
     if (!start.ok()) return start.status();
-    auto tracks = gatherTracks(take, part.to, part.threads, from);
-    if (!tracks.ok()) return tracks.status();
-    EditedCrowd edited(take.about.edits, library);
-    edited.setTracks(std::make_shared<const OwnTracks>(std::move(tracks).value()));
-    const std::size_t chosen = ChosenPeople(part).countIn(*start);
+    auto edited = editedCrowd(take, library, part, from);
+    if (!edited.ok()) return edited.status();
+    const std::size_t chosen = ChosenPeople(part).idsIn(*start).size();
     const ExportInfo info{take.def.name, part.fps, part.from, times->size(), &*start, &library, chosen};
     if (Status s = exporter.begin(info); !s.ok()) return s;
-    Resampler resampler(library, part, std::move(*times), std::move(edited), exporter);
+    Resampler resampler(library, part, std::move(*times), std::move(edited).value(), exporter);
     bool more = resampler.observe(*start);
     bool cancelled = false;
     if (more) {

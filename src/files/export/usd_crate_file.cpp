@@ -1,6 +1,3 @@
-#include <bit>
-#include <cstring>
-
 #include "base/maths.h"
 #include "files/export/crate_tables.h"
 #include "files/export/usd_file.h"
@@ -30,7 +27,7 @@ std::uint16_t halfOf(double value) {
 
 void putNumber(const UsdType& type, double value, std::string& out) {
     if (type.bytes == 8)
-        crateWord(bitCast<std::uint64_t>(value), 8, out);
+        crateReal(value, out);
     else if (type.bytes == 2)
         crateWord(halfOf(value), 2, out);
     else if (type.code == kInt)
@@ -63,8 +60,7 @@ public:
         world_ = tables_.path(0, "World", false);
         std::string times;
         crateWord(pace.frames, 8, times);
-        for (std::size_t k = 0; k < pace.frames; ++k)
-            crateWord(bitCast<std::uint64_t>(static_cast<double>(k)), 8, times);
+        for (std::size_t k = 0; k < pace.frames; ++k) crateReal(static_cast<double>(k), times);
         times_ = store(kDoubleVector, times, false);
         return status_;
     }
@@ -90,7 +86,7 @@ public:
         crateWord(words.size(), 8, times);
         crateWord(words.size(), 8, list);
         for (const auto& [frame, word] : words) {
-            crateWord(bitCast<std::uint64_t>(static_cast<double>(frame)), 8, times);
+            crateReal(static_cast<double>(frame), times);
             crateWord(crateInline(kToken, tables_.word(word)), 8, list);
         }
         std::string head = samplesHead(store(kDoubleVector, times, false));
@@ -156,7 +152,7 @@ private:
         crateWord(1, 8, bytes);
         crateWord(tables_.string(""), 4, bytes);
         crateWord(tables_.find(path), 4, bytes);
-        for (const double number : {0.0, 1.0}) crateWord(bitCast<std::uint64_t>(number), 8, bytes);
+        for (const double number : {0.0, 1.0}) crateReal(number, bytes);
         crateWord(0, 8, bytes);
         return store(kReferenceListOp, bytes, false);
     }
@@ -164,7 +160,7 @@ private:
         const auto narrow = static_cast<float>(value);
         if (static_cast<double>(narrow) == value) return crateInline(kDouble, bitCast<std::uint32_t>(narrow));
         std::string bytes;
-        crateWord(bitCast<std::uint64_t>(value), 8, bytes);
+        crateReal(value, bytes);
         return store(kDouble, bytes, false);
     }
     CrateValue valueOf(const UsdValue& value) {

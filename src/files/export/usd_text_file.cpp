@@ -1,4 +1,3 @@
-#include <cctype>
 #include <cstdio>
 
 #include "base/maths.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/bounds.h"
 #include "engine/state/order_queue.h"
 #include "engine/world/inspect.h"
 #include "muster/views.h"
@@ -16,12 +17,6 @@ constexpr std::uint32_t kFirstStandIn = 0xFFFF0000u;
 
 bool has(const std::vector<GroupId>& groups, GroupId group) {
     return std::find(groups.begin(), groups.end(), group) != groups.end();
-}
-
-Vec2 meanOf(const std::vector<Vec2>& points) {
-    Vec2 sum;
-    for (const Vec2 p : points) sum += p;
-    return points.empty() ? sum : sum / static_cast<double>(points.size());
 }
 
 Status sentence(std::string text) {
@@ -62,6 +57,7 @@ Crew Crews::whole(GroupId group) const {
     const GroupView view = scene_.world.group(g);
     crew.label = std::string(view.name);
     const bool divided = taken_.contains(group);
+    crew.all = !divided;
     if (divided) crew.label = "the rest of " + crew.label + " (" + std::to_string(crew.ids.size()) + ")";
     std::vector<Vec2> points;
     if (divided || view.placePositions.empty())
@@ -77,7 +73,7 @@ Crew Crews::part(GroupId group, std::vector<std::uint32_t> ids) {
     std::sort(ids.begin(), ids.end());
     if (ids == left(group)) return whole(group);
     Crew crew = whole(group);
-    crew.whole = false;
+    crew.whole = crew.all = false;
     crew.ids = std::move(ids);
     crew.label = std::to_string(crew.ids.size()) + " of " + names_.nameOf(group);
     std::vector<Vec2> points;

@@ -1,11 +1,11 @@
 // Who is meant: groups and parts of them, which become groups of their own.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "base/maths.h"
 #include "muster/status.h"
 #include "studio/words/clauses.h"
 #include "studio/words/words.h"
@@ -18,12 +18,14 @@ struct Crew {
     GroupId address;                 ///< The same, or what stands in for the part's id.
     std::vector<std::uint32_t> ids;  ///< Its people, ascending.
     bool whole = true;               ///< They are, or stay, that group.
+    bool all = true;                 ///< They are all people of the group.
     std::string label;               ///< "North", "20 of North".
     Vec2 middle;                     ///< Where they stand [m].
     Rotation front;                  ///< Where the group faces.
     FormationDef formation;          ///< What the group is in.
 
     std::int32_t count() const { return static_cast<std::int32_t>(ids.size()); }
+    double heading() const { return arcTangent2(front.s, front.c); }  ///< Where the group faces [rad].
 };
 
 /// Finds them, one subject of the text after the other.

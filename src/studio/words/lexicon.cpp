@@ -130,18 +130,6 @@ bool isIn(Words words, std::string_view word) {
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// How many words of a phrase the tokens begin with; 0 where they do not.
-std::size_t matches(std::span<const Token> tokens, std::string_view phrase) {
-    std::size_t words = 0;
-    while (!phrase.empty()) {
-        const std::string_view word = phrase.substr(0, phrase.find(' '));
-        if (words == tokens.size() || tokens[words].text != word) return 0;
-        ++words;
-        phrase.remove_prefix(std::min(phrase.size(), word.size() + 1));
-    }
-    return words;
-}
-
 template <class Each>
 void eachPhrase(std::string_view phrases, const Each& each) {
     while (!phrases.empty()) {
@@ -166,6 +154,17 @@ std::vector<std::string_view> collectWords() {
 }
 
 }  // namespace
+
+std::size_t matches(std::span<const Token> tokens, std::string_view phrase) {
+    std::size_t words = 0;
+    while (!phrase.empty()) {
+        const std::string_view word = phrase.substr(0, phrase.find(' '));
+        if (words == tokens.size() || tokens[words].text != word) return 0;
+        ++words;
+        phrase.remove_prefix(std::min(phrase.size(), word.size() + 1));
+    }
+    return words;
+}
 
 VerbFound verbAt(std::span<const Token> tokens) {
     VerbFound found;

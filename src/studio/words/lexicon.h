@@ -10,6 +10,9 @@
 
 namespace muster::words {
 
+/// How many words of a phrase the tokens begin with; 0 where they do not.
+std::size_t matches(std::span<const Token> tokens, std::string_view phrase);
+
 /// The verb that a phrase of one to three words is, with the number of its words; None for other words.
 struct VerbFound {
     Verb verb = Verb::None;

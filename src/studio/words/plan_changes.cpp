@@ -22,6 +22,15 @@ void Planner::queue(QueueEdit edit, All crews, const char* verb, const char* res
     }
 }
 
+FormationDef Planner::reshape(const Act& act, const Crew& crew) {
+    FormationDef made = formationOf(act, crew);
+    ChangeGroup change;
+    change.group = crew.address;
+    change.formation = made;
+    commandsFor(crew).emplace_back(std::move(change));
+    return made;
+}
+
 void Planner::form(const Act& act, All crews) {
     if (!changesShape(act)) {
         if (act.facing) return face(act, crews);
@@ -29,26 +38,16 @@ void Planner::form(const Act& act, All crews) {
             "Which shape? Say “form a ring”, a line, a column, a square, a wedge, a circle or a crescent.");
     }
     for (const Crew& crew : crews) {
-        ChangeGroup change;
-        change.group = crew.address;
-        change.formation = formationOf(act, crew);
-        std::string rest = "up " + formWord(change.formation->kind);
-        if (act.spacing) rest += ", " + numberText(change.formation->spacing) + " m apart";
-        commandsFor(crew).emplace_back(std::move(change));
+        const FormationDef made = reshape(act, crew);
+        std::string rest = "up " + formWord(made.kind);
+        if (act.spacing) rest += ", " + numberText(made.spacing) + " m apart";
         say(crew, "take", std::move(rest));
     }
     if (act.facing) face(act, crews);
 }
 
 void Planner::space(const Act& act, All crews) {
-    for (const Crew& crew : crews) {
-        ChangeGroup change;
-        change.group = crew.address;
-        change.formation = formationOf(act, crew);
-        std::string rest = numberText(change.formation->spacing) + " m apart";
-        commandsFor(crew).emplace_back(std::move(change));
-        say(crew, "stand", std::move(rest));
-    }
+    for (const Crew& crew : crews) say(crew, "stand", numberText(reshape(act, crew).spacing) + " m apart");
 }
 
 void Planner::split(const Act& act, All crews) {

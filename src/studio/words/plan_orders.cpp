@@ -40,10 +40,11 @@ Vec2 halfSizeOf(const ThingSpot& thing) {
             std::max(thing.reach({0, 1}), thing.reach({0, -1})) + kGuardGap};
 }
 
-std::string pathText(const std::vector<Spot>& via) {
+/// "Fountain and there".
+std::string placesText(const std::vector<Spot>& places) {
     std::string text;
-    for (const Spot& spot : via)
-        text += (text.empty() ? " by way of " : " and ") + (spot.words.empty() ? "there" : spot.words);
+    for (const Spot& spot : places)
+        text += (text.empty() ? "" : " and ") + (spot.words.empty() ? "there" : spot.words);
     return text;
 }
 
@@ -57,12 +58,8 @@ Vec2 Planner::whereIs(const Crew& crew) const {
 void Planner::give(const Crew& crew, Order order, bool then) {
     const bool appends = ordered_.contains(crew.address) || then;
     const bool first = ordered_.insert(crew.address).second;
-    if (first) {
-        const std::vector<std::uint32_t> ids = crew.whole && crew.label.starts_with("the rest") ? crew.ids
-                                               : crew.whole ? std::vector<std::uint32_t>{}
-                                                            : crew.ids;
-        result_.previews.push_back({crew.group, ids, order});
-    }
+    if (first)
+        result_.previews.push_back({crew.group, crew.all ? std::vector<std::uint32_t>{} : crew.ids, order});
     bound_[crew.address] = order.kind == OrderKind::Move ? order.target : whereIs(crew);
     GiveOrder command;
     command.group = crew.address;
@@ -72,7 +69,7 @@ void Planner::give(const Crew& crew, Order order, bool then) {
 }
 
 std::optional<double> Planner::facingOf(const Facing& facing, const Crew& crew, Vec2 from) const {
-    if (facing.turn) return arcTangent2(crew.front.s, crew.front.c) + *facing.turn;
+    if (facing.turn) return crew.heading() + *facing.turn;
     if (facing.heading) {
         const Vec2 d = directionOf(*facing.heading, crew.front);
         return arcTangent2(d.y, d.x);
@@ -138,7 +135,7 @@ void Planner::moveTo(const Act& act, All crews, const Spot& spot) {
             order.pace = scene_.world.parameters().character.maxSpeed * act.haste;
         std::string rest = whereTo(spot);
         if (act.form) rest += " in " + formWord(formations[k].kind);
-        if (!act.via.empty()) rest += pathText(act.via);
+        if (!act.via.empty()) rest += " by way of " + placesText(act.via);
         if (act.facing) rest += ", facing " + act.facing->words;
         if (order.pace > 0.0) rest += " at " + numberText(order.pace) + " m/s";
         give(crew, std::move(order), act.then && fresh_);
@@ -187,13 +184,7 @@ void Planner::guard(const Act& act, All crews) {
     const Spot& spot = *act.to;
     for (const Crew& crew : crews) {
         Order order = Order::guard(pointOf(spot, scene_.world, crew), {kGuardHalf, kGuardHalf}, 0.0);
-        if (spot.kind == SpotKind::Thing) {
-            const ThingSpot* thing = &spot.things.front();
-            for (const ThingSpot& other : spot.things)
-                if (distance(other.centre, crew.middle) < distance(thing->centre, crew.middle))
-                    thing = &other;
-            order.halfSize = halfSizeOf(*thing);
-        }
+        if (spot.kind == SpotKind::Thing) order.halfSize = halfSizeOf(nearestOf(spot.things, crew.middle));
         if (spot.kind == SpotKind::Group) {
             if (spot.group == crew.address) return fail("A group cannot guard itself.");
             const Crew other = crews_.whole(spot.group);
@@ -226,7 +217,7 @@ void Planner::leave(const Act& act, All crews) {
 
 void Planner::walk(const Act& act, All crews) {
     for (const Crew& crew : crews) {
-        double angle = arcTangent2(crew.front.s, crew.front.c);
+        double angle = crew.heading();
         std::string words = "where it faces";
         if (act.to && act.to->kind == SpotKind::Shift) {
             const Vec2 d = directionOf(act.to->heading, crew.front);
@@ -246,12 +237,11 @@ void Planner::patrol(const Act& act, All crews) {
     for (const Crew& crew : crews) {
         Crew walker = crew;
         std::vector<Vec2> corners;
-        std::string words;
+        std::string words = placesText(act.via);
         for (const Spot& spot : act.via) {
             const Stand stand = standsAt(spot, scene_.world, {walker}, {crew.formation}).front();
             corners.push_back(stand.target);
             walker.middle = stand.target;
-            words += (words.empty() ? "" : " and ") + (spot.words.empty() ? "there" : spot.words);
         }
         if (corners.size() == 1) corners.push_back(whereIs(crew)), words += " and here";
         for (const Vec2 corner : corners) give(crew, Order::move(corner), false);
@@ -265,7 +255,7 @@ void Planner::swap(const Act& act, All crews) {
     for (const GroupId other : act.others) pair.push_back(crews_.whole(other));
     if (pair.size() != 2) return fail("Two groups can change places: say “North and South swap places”.");
     for (std::size_t k = 0; k < 2; ++k) {
-        give(pair[k], Order::move(pair[1 - k].middle, arcTangent2(pair[k].front.s, pair[k].front.c)), false);
+        give(pair[k], Order::move(pair[1 - k].middle, pair[k].heading()), false);
         say(pair[k], "go", "to where " + pair[1 - k].label + " stands");
     }
 }

@@ -10,6 +10,8 @@
 namespace muster::words {
 namespace {
 
+constexpr const char* kNothingToDo = "What are they to do? Say it like “North go to the middle”.";
+
 bool isOrder(Verb verb) {
     return verb == Verb::Move || verb == Verb::None;
 }
@@ -91,8 +93,7 @@ Understood Planner::plan(const std::vector<Clause>& clauses) {
         if (!result_.problem.empty()) break;
     }
     finish();
-    if (result_.problem.empty() && result_.sentences.empty())
-        result_.problem = "What are they to do? Say it like “North go to the middle”.";
+    if (result_.problem.empty() && result_.sentences.empty()) result_.problem = kNothingToDo;
     return std::move(result_);
 }
 
@@ -142,7 +143,7 @@ const Spot* Planner::nearOf(const std::vector<Act>& acts) const {
 
 void Planner::planClause(const Clause& clause) {
     if (planDeed(clause)) return;
-    if (clause.acts.empty()) return fail("What are they to do? Say it like “North go to the middle”.");
+    if (clause.acts.empty()) return fail(kNothingToDo);
     const std::vector<Act> acts = folded(clause.acts);
     const Spot* near = clause.who && clause.who->nearest ? &*clause.who->nearest : nearOf(acts);
     Vec2 point;

@@ -47,6 +47,8 @@ private:
 
     // Other changes (plan_changes.cpp).
     void queue(QueueEdit edit, All crews, const char* verb, const char* rest);
+    /// Gives a crew the formation that is wanted, which it returns.
+    FormationDef reshape(const Act& act, const Crew& crew);
     void form(const Act& act, All crews);
     void space(const Act& act, All crews);
     void split(const Act& act, All crews);

@@ -13,21 +13,21 @@ constexpr double kDensest = 0.3, kSparsest = 20.0;
 }  // namespace
 
 /// What a verb is followed by, where that is not read like anything else.
-bool Reader::readObject(Act& act) {
+void Reader::readObject(Act& act) {
     switch (act.verb) {
         case Verb::Face:
             // “Turn South around” turns a group, “turn south” says where to.
             if (const auto found = names_.startOf(rest(), true);
                 !found.empty() && !clause().who && !isEndOfClause(found.front()->words.size()))
-                return false;
-            if (auto facing = readFacing()) return act.facing = std::move(facing), true;
-            return false;
+                return;
+            if (auto facing = readFacing()) act.facing = std::move(facing);
+            return;
         case Verb::Follow:
         case Verb::Guard:
             return readTarget(act);
         case Verb::Merge:
         case Verb::Split:
-            return readParts(act);
+            return readParts();
         case Verb::Name:
             return readName(act);
         case Verb::Add:
@@ -42,46 +42,41 @@ bool Reader::readObject(Act& act) {
             act.spread = narrow ? 1.0 / kWider : kWider;
             while (take({"up", "out"})) {
             }
-            return true;
+            return;
         }
         case Verb::Pace: {
             const std::string& last = tokens_[at_ - 2 < tokens_.size() ? at_ - 2 : 0].text;
             act.number = last == "double" ? 2.0 : last == "half" ? 0.5 : last == "slow" ? 0.25 : 1.0;
             if (number()) act.number = *number(), ++at_;
             take({"x", "times"});
-            return true;
+            return;
         }
         default:
-            return false;
+            return;
     }
 }
 
 // "follow South", "guard the fountain"
-bool Reader::readTarget(Act& act) {
+void Reader::readTarget(Act& act) {
     skipArticles();
-    const bool guards = act.verb == Verb::Guard;
-    if (guards) {
+    if (act.verb == Verb::Guard)
         act.to = readSpot(true);
-        return act.to.has_value();
-    }
-    const std::vector<GroupId> groups = readGroup();
-    act.others = groups;
-    return !groups.empty();
+    else
+        act.others = readGroup();
 }
 
 // "split North into three", "merge South into North", "split 10 people off North"
-bool Reader::readParts(Act& act) {
-    if (clause().who) return readHow();
+void Reader::readParts() {
+    if (clause().who) {
+        readHow();
+        return;
+    }
     take({"up"});
-    (void)act;
-    auto who = readWho();
-    if (!who) return false;
-    clause().who = std::move(who);
-    return true;
+    clause().who = readWho();
 }
 
 // What it is called stands in the text as it is typed.
-bool Reader::readName(Act& act) {
+void Reader::readName(Act& act) {
     if (!clause().who) {
         take({"the", "group"});
         const std::size_t before = at_;
@@ -95,25 +90,23 @@ bool Reader::readName(Act& act) {
     take({"to", "as", "it", "them"});
     take({"to", "as"});
     take({"\""});
-    if (atEnd()) return fail("What name? Say “rename North to Choir”."), false;
+    if (atEnd()) return fail("What name? Say “rename North to Choir”.");
     const std::size_t from = tokens_[at_].from;
     std::size_t end = from;
     while (!atEnd() && !isOneOf({"\"", ",", ";", ".", "!", "?"})) end = tokens_[at_++].end;
     act.name = std::string(text_.substr(from, end - from));
     take({"\""});
-    return true;
 }
 
 // "add 10 people to North"
-bool Reader::readAdded(Act& act) {
-    if (!number()) return fail("How many people? Say “add 10 people to North”."), false;
+void Reader::readAdded(Act& act) {
+    if (!number()) return fail("How many people? Say “add 10 people to North”.");
     act.number = *number();
     ++at_;
     take({"more"});
     if (isPeopleWord(word())) ++at_;
     take({"to", "in", "into"});
     clause().who = readWho();
-    return true;
 }
 
 /// How, where and in which shape.

@@ -167,8 +167,7 @@ std::optional<Spot> Reader::readShift() {
     if (!heading && spot.metres && takePhrase("in front of")) heading = Heading::Forward, at_ -= 1;
     if (!heading) return at_ = before, std::nullopt;
     spot.heading = *heading;
-    if (take({"by", "for", "about"})) {
-    }
+    take({"by", "for", "about"});
     if (!spot.metres) readMetres();
     if (spot.metres && (*spot.metres > kMostMetres || *spot.metres < 0.0))
         fail("Say a distance of 0 to 100,000 metres.");
@@ -240,8 +239,7 @@ std::optional<Facing> Reader::readFacing() {
         take({"to", "the"});
         take({"the"});
         const bool right = isOneOf({"right", "clockwise"});
-        if (take({"left", "right", "clockwise", "counterclockwise", "anticlockwise"})) {
-        }
+        take({"left", "right", "clockwise", "counterclockwise", "anticlockwise"});
         facing.turn = right ? -angle : angle;
         facing.words = right ? "right" : "left";
         return facing;

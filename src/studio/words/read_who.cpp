@@ -19,8 +19,7 @@ std::optional<Who> Reader::readWho() {
     if (isOneOf({"they", "them", "it", "he", "she"}) || takePhrase("this group") ||
         takePhrase("these groups") || takePhrase("the chosen") || takePhrase("the selected")) {
         if (isOneOf({"they", "them", "it", "he", "she"})) ++at_;
-        if (take({"group", "groups", "people"})) {
-        }
+        take({"group", "groups", "people"});
         who.sameAgain = true;
         return who;
     }
@@ -176,8 +175,7 @@ bool Reader::readGroups(std::vector<GroupId>& groups) {
         take({"and"});
         const std::vector<GroupId> next = readGroup();
         // "North hold, South go" has two subjects, "North, South and East go" has one.
-        const bool list = !next.empty();
-        if (!list) {
+        if (next.empty()) {
             at_ = before;
             break;
         }

@@ -31,7 +31,7 @@ void Reader::readOne() {
     if (readMark() || !problem_.empty()) return;
     if (readNewWho() || !problem_.empty()) return;
     if (readHow() || !problem_.empty()) return;
-    if (readVerb() || !problem_.empty()) return;
+    if (readVerb()) return;
     if (isFiller(word())) ++at_;
 }
 
@@ -43,7 +43,6 @@ bool Reader::readMark() {
         return true;
     }
     if (isOneOf({",", ";", ".", ":", "!", "?", "and", "while", "but", "as"})) {
-        if (word() == "as" && word(1) != "the" && formOf(word(2))) return false;
         if (word() == "as" && (formOf(word(1)) || formOf(word(2)))) return false;
         ++at_;
         boundary_ = true;
@@ -69,9 +68,7 @@ bool Reader::readNewWho() {
         return false;
     }
     if (boundary_ && (open || hasWho)) clauses_.emplace_back();
-    const bool again = who->sameAgain && clauses_.size() > 1 && clauses_.back().acts.empty();
     clause().who = std::move(who);
-    if (again) clause().who->sameAgain = true;
     boundary_ = false;
     return true;
 }
@@ -96,7 +93,8 @@ bool Reader::readVerb() {
         last.text == "up")
         made.form = FormationKind::Line;
     boundary_ = false;
-    return readObject(made) || problem_.empty();
+    readObject(made);
+    return true;
 }
 
 Clause& Reader::clause() {
@@ -174,15 +172,9 @@ bool Reader::take(std::initializer_list<std::string_view> words) {
 }
 
 bool Reader::takePhrase(std::string_view phrase) {
-    std::size_t skip = 0;
-    while (!phrase.empty()) {
-        const std::string_view next = phrase.substr(0, phrase.find(' '));
-        if (word(skip) != next) return false;
-        ++skip;
-        phrase.remove_prefix(std::min(phrase.size(), next.size() + 1));
-    }
-    at_ += skip;
-    return true;
+    const std::size_t words = matches(rest(), phrase);
+    at_ += words;
+    return words > 0;
 }
 
 void Reader::skipArticles() {

@@ -86,11 +86,11 @@ private:
     std::optional<Heading> readHeading();
 
     // What (read_acts.cpp).
-    bool readObject(Act& act);
-    bool readTarget(Act& act);
-    bool readParts(Act& act);
-    bool readName(Act& act);
-    bool readAdded(Act& act);
+    void readObject(Act& act);
+    void readTarget(Act& act);
+    void readParts();
+    void readName(Act& act);
+    void readAdded(Act& act);
     bool readHow();
     bool readForm();
     bool readSpacing();

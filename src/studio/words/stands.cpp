@@ -40,13 +40,6 @@ struct Core {
     bool isFree() const { return thing == nullptr && !crowd; }
 };
 
-/// Of several things of one name the nearest.
-const ThingSpot& nearestOf(const std::vector<ThingSpot>& things, Vec2 from) {
-    return *std::min_element(things.begin(), things.end(), [&](const ThingSpot& a, const ThingSpot& b) {
-        return distance(a.centre, from) < distance(b.centre, from);
-    });
-}
-
 Vec2 edgePoint(Heading heading, const Box& box) {
     const Vec2 middle = (box.min + box.max) * 0.5;
     const Vec2 half = {std::max(0.0, box.width() / 2 - kMargin), std::max(0.0, box.height() / 2 - kMargin)};
@@ -128,6 +121,12 @@ std::vector<Stand> rings(const Core& core, const std::vector<Crew>& crews,
 
 }  // namespace
 
+const ThingSpot& nearestOf(const std::vector<ThingSpot>& things, Vec2 from) {
+    return *std::min_element(things.begin(), things.end(), [&](const ThingSpot& a, const ThingSpot& b) {
+        return distance(a.centre, from) < distance(b.centre, from);
+    });
+}
+
 Extent extentOf(const FormationDef& formation, std::int32_t count) {
     Extent extent;
     if (count < 1) return extent;
@@ -207,21 +206,27 @@ std::vector<Stand> standsAt(const Spot& spot, const World& world, const std::vec
         std::vector<Stand> stands;
         for (const Crew& crew : crews) {
             Stand stand{pointOf(spot, world, crew), {}, {}};
-            if (!isCompass(spot.heading)) stand.facing = arcTangent2(crew.front.s, crew.front.c);
+            if (!isCompass(spot.heading)) stand.facing = crew.heading();
             stands.push_back(stand);
         }
         return stands;
     }
     if (round && spot.beside != Beside::Near) return rings(core, crews, formations);
     if (core.isFree() && crews.size() == 1) return {Stand{core.centre, {}, {}}};
+    std::vector<Vec2> sides;
+    std::vector<Extent> extents;
+    for (std::size_t k = 0; k < crews.size(); ++k) {
+        sides.push_back(sideOf(spot, world, core, crews[k]));
+        extents.push_back(extentOf(formations[k], crews[k].count()));
+    }
     std::vector<Bearing> bearings;
     std::vector<Stand> stands(crews.size());
     for (double away = kGap; stands.size() > 0; away = away * 1.25 + 0.5) {
         bearings.clear();
         std::vector<double> distances;
         for (std::size_t k = 0; k < crews.size(); ++k) {
-            const Vec2 side = sideOf(spot, world, core, crews[k]);
-            const Extent extent = extentOf(formations[k], crews[k].count());
+            const Vec2 side = sides[k];
+            const Extent& extent = extents[k];
             const double far = core.reach(side) + extent.front + away;
             distances.push_back(far);
             const double near = std::max(0.5, far - extent.front);

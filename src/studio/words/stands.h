@@ -28,6 +28,8 @@ Extent extentOf(const FormationDef& formation, std::int32_t count);
 
 /// The point that a spot names, as seen by somebody who stands there [m].
 Vec2 pointOf(const Spot& spot, const World& world, const Crew& from);
+/// Of several things of one name the nearest.
+const ThingSpot& nearestOf(const std::vector<ThingSpot>& things, Vec2 from);
 /// The unit vector of a heading; of a group's own headings by its front.
 Vec2 directionOf(Heading heading, Rotation front);
 

@@ -24,9 +24,6 @@ bool isLetter(char c) {
 bool isMark(char c) {
     return std::string_view(",.;:?!%()\"/+-").find(c) != std::string_view::npos;
 }
-char small(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
 
 class Scanner {
 public:
@@ -56,7 +53,7 @@ private:
         Token token;
         token.from = at_;
         token.end = end;
-        for (const char c : text_.substr(at_, end - at_)) token.text += small(c);
+        for (const char c : text_.substr(at_, end - at_)) token.text += smallLetter(c);
         at_ = end;
         tokens_.push_back(std::move(token));
     }
@@ -102,6 +99,10 @@ private:
 };
 
 }  // namespace
+
+char smallLetter(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
 
 std::vector<Token> tokensOf(std::string_view text) {
     return Scanner(text).all();

@@ -22,6 +22,9 @@ struct Token {
 /// out. "10m" is a number and a word.
 std::vector<Token> tokensOf(std::string_view text);
 
+/// A letter of A to Z as a small one; other characters as they are.
+char smallLetter(char c);
+
 /// The letters of a name in the form that tokens have, word by word.
 std::vector<std::string> wordsOfName(std::string_view name);
 

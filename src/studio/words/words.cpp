@@ -54,22 +54,20 @@ void nameParts(Understood& result, const World& world) {
     }
 }
 
+Understood refused(std::string problem) {
+    Understood result;
+    result.problem = std::move(problem);
+    return result;
+}
+
 }  // namespace
 
 Understood understand(std::string_view text, const WordsScene& scene) {
     const KnownNames names(scene.world);
     Reading reading = words::Reader(text, names).read();
-    if (!reading.problem.empty()) {
-        Understood result;
-        result.problem = std::move(reading.problem);
-        return result;
-    }
+    if (!reading.problem.empty()) return refused(std::move(reading.problem));
     Understood result = Planner(scene, names).plan(reading.clauses);
-    if (!result.problem.empty()) {
-        Understood refused;
-        refused.problem = std::move(result.problem);
-        return refused;
-    }
+    if (!result.problem.empty()) return refused(std::move(result.problem));
     nameParts(result, scene.world);
     return result;
 }
@@ -89,8 +87,7 @@ std::vector<WordsCompletion> completions(std::string_view text, const WordsScene
     const auto put = [&](const std::string& words) {
         if (found.size() == kMostCompletions || words.size() <= start.size()) return;
         std::string small = words;
-        for (char& c : small)
-            if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+        for (char& c : small) c = smallLetter(c);
         if (small.compare(0, start.size(), start) == 0 && known.insert(small).second)
             found.push_back({words, before + words + " "});
     };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "files/export/export_fixture.h"
+#include "muster/parameter_table.h"
 #include "muster/scenario.h"
 #include "test_folders.h"
 
@@ -28,6 +29,26 @@ Take recorded(const std::string& scenario, int seconds) {
         world->step();
         REQUIRE(writer->observe(*world).ok());
     }
+    REQUIRE(writer->finish(*world).ok());
+    return *readTake(file);
+}
+
+/// A take of a group that nobody is in before a source sends seven people.
+Take takeOfLateComers() {
+    WorldDef def{.box = {{0, 0}, {40, 20}}, .parameters = *parameterPreset("people")};
+    def.groups = {{.count = 0, .position = {20, 10}}};
+    def.areas = {{.kind = AreaKind::Source, .polygon = {{1, 8}, {4, 8}, {4, 12}, {1, 12}}}};
+    def.areas[0].timetable = {{0.5, 7}};
+    const std::string file = (exportFolder() / "late.take").string();
+    auto world = World::create(def);
+    REQUIRE_MESSAGE(world.ok(), world.status().message());
+    auto writer = TakeWriter::create(file, def);
+    REQUIRE_MESSAGE(writer.ok(), writer.status().message());
+    for (int step = 0; step < 600; ++step) {
+        world->step();
+        REQUIRE(writer->observe(*world).ok());
+    }
+    REQUIRE(world->characters().size() == 7);
     REQUIRE(writer->finish(*world).ok());
     return *readTake(file);
 }
@@ -67,6 +88,19 @@ TEST_CASE("the size of an export is told within a fifth, for every format") {
     ExportDef part{2.0, 12.0, 24.0, 1};
     part.firstPerson = 11, part.lastPerson = 70;
     compare(recorded("course", 12), part);
+}
+
+TEST_CASE("people of chosen groups are counted where nobody is there at the start") {
+    const Take take = takeOfLateComers();
+    ExportDef def;
+    def.groups = {World::create(take.def)->group(0).id.value};
+    const auto write = [&](const ExportDef& of, const std::string& path) {
+        return exportTake(take, ownClips(), "csv", path, of);
+    };
+    const auto told = estimateExport(take, "csv", def, (exportFolder() / "late").string(), write);
+    REQUIRE_MESSAGE(told.ok(), told.status().message());
+    CHECK(told->people == 7);
+    CHECK(told->bytes > 0.0);
 }
 
 TEST_CASE("of an impossible export is told why") {

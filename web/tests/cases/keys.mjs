@@ -1,5 +1,6 @@
 // By keys alone: a cursor on the ground gives orders and cuts.
 import { darkWalls } from './dark_walls.mjs';
+import { Hand } from '../support/hand.mjs';
 import { expect } from '../support/expect.mjs';
 import { distance, extreme, mean, points, shifted } from '../support/geometry.mjs';
 
@@ -136,6 +137,36 @@ export async function ordersAndCuts(studio) {
   await farAway(studio);
 }
 
+/** Where a row ends inside of a tile one sees that there is more; counts are whole; Undo is at hand. */
+async function rowsOfAPhone(studio) {
+  const { page } = studio;
+  const hand = new Hand(studio, true);
+  const cut = (row, tile) =>
+    page.evaluate(
+      ([which, what]) => {
+        const end = document.querySelector(which).getBoundingClientRect().right;
+        const boxes = [...document.querySelectorAll(what)].map((node) => node.getBoundingClientRect());
+        return boxes.some(({ left, right }) => left + 12 < end && right - 12 > end);
+      },
+      [row, tile],
+    );
+  expect(await cut('.formation-list', '.formation'), 'half a formation looks out');
+  expect(await page.locator('.phone-undo').isHidden(), 'nothing is to be undone yet');
+  await hand.press(page.locator('.formation', { hasText: 'Line' }));
+  await page.locator('.phone-undo').waitFor();
+  const counts = await page.evaluate(() => {
+    const end = document.querySelector('.groups').getBoundingClientRect().right;
+    return [...document.querySelectorAll('.chip-count')].map((node) => end - node.getBoundingClientRect().right);
+  });
+  expect(counts.length === 2 && counts.every((room) => room > 4), `counts of all groups are whole: ${counts}`);
+  await studio.shot('phone-rows');
+  await hand.press('.phone-undo');
+  await page.locator('.formation[aria-pressed="true"]', { hasText: 'Square' }).waitFor();
+  await page.getByRole('tab', { name: 'Orders' }).click();
+  expect(await cut('.order-bar', '.order-buttons .order-tile'), 'half an order looks out');
+  await studio.shot('phone-rows-orders');
+}
+
 /** On a phone the active group's chip and its formation are scrolled into sight. */
 export async function activeInSight(studio) {
   const inSight = (what) =>
@@ -143,11 +174,9 @@ export async function activeInSight(studio) {
       const [box, room] = await studio.page.evaluate((selector) => {
         const one = document.querySelector(selector);
         let room = one.parentElement;
-        while (room.scrollWidth <= room.clientWidth && room.scrollHeight <= room.clientHeight)
+        while (room && room.scrollWidth <= room.clientWidth && room.scrollHeight <= room.clientHeight)
           room = room.parentElement;
-        return [one, room === document.documentElement ? one.closest('.panel') : room].map((node) =>
-          node.getBoundingClientRect().toJSON(),
-        );
+        return [one, room ?? one.closest('.panel')].map((node) => node.getBoundingClientRect().toJSON());
       }, what);
       const inside = box.left >= room.left - 1 && box.right <= room.right + 1 && box.right <= innerWidthOf(studio);
       expect(inside, `${what} from ${box.left} to ${box.right} lies in ${room.left} to ${room.right}`);
@@ -175,6 +204,7 @@ const kTwo = { touch: false, scenario: 'web/tests/scenarios/two-groups.json', ro
 
 export const kKeyCases = [
   ['keys: orders and cuts', ordersAndCuts, ['desktop'], kTwo],
+  ['phone: rows', rowsOfAPhone, ['phone'], { scenario: 'scenarios/fountain.json' }],
   ['phone: the active ones in sight', activeInSight, ['phone'], { scenario: 'scenarios/market.json' }],
   ['dark walls', darkWalls, ['desktop'], { scenario: 'scenarios/block.json', colorScheme: 'dark' }],
 ];

@@ -57,7 +57,7 @@ const kSteering = [
       return true;
     },
   ],
-  ['group to add', (studio) => press(studio, '.add-group')],
+  ['group to add', async (studio) => (await press(studio, '.add-group')) || (await item(studio, 'Add a group'))],
 ];
 
 async function key(studio, keys) {

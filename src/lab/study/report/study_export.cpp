@@ -314,13 +314,6 @@ Status writeTrials(StudyStore& store, const std::string& folder) {
 
 }  // namespace
 
-std::string csvField(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
-}
-
 const char* kindName(RunKind kind) {
     return kind == RunKind::Models ? "models" : kind == RunKind::People ? "people" : "test";
 }

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "base/csv_field.h"
 #include "studio/study/store/store.h"
 
 namespace muster {
@@ -11,8 +12,6 @@ namespace muster {
 /// Muster. The same database gives the same bytes.
 Status writeStudyReport(StudyStore& store, const std::string& folder, const std::string& version);
 
-/// A field of a CSV file: in quotes where it holds commas, quotes or line breaks.
-std::string csvField(const std::string& text);
 /// Word such as "models", "people" or "test".
 const char* kindName(RunKind kind);
 /// Word such as "running", "complete" or "broken-off".

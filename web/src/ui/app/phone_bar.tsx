@@ -1,7 +1,9 @@
-// Small windows have two buttons here: one for the layers, one for all that the sheet has no space for.
+// Small windows have these buttons: Undo, the layers, and all that the sheet has no space for.
 
+import type { OrderActions } from '../../model/order_actions';
 import type { StudioActions } from '../../model/studio_actions';
 import type { StudioStore } from '../../model/studio_store';
+import { ToolButton } from '../widgets/buttons';
 import { element } from '../widgets/dom';
 import { Held } from '../widgets/held';
 import { Menu, MenuItem } from '../widgets/menu';
@@ -12,10 +14,25 @@ export class PhoneBar {
   readonly root = element('div', { class: 'phone-bar panel' });
 
   /** `openTake` and `openCharacter` let the visitor choose files. */
-  constructor(store: StudioStore, actions: StudioActions, openTake: () => void, openCharacter: () => void) {
+  constructor(
+    store: StudioStore,
+    actions: StudioActions,
+    orders: OrderActions,
+    openTake: () => void,
+    openCharacter: () => void,
+  ) {
     const layers = new LayerBar(store, actions).root;
-    drawPanel(this.root, store, ['ownCharacter'], ({ ownCharacter }) => (
+    drawPanel(this.root, store, ['ownCharacter', 'history', 'replaying'], ({ ownCharacter, history, replaying }) => (
       <>
+        <ToolButton
+          icon="undo"
+          label="Undo"
+          iconOnly
+          class="phone-undo"
+          hidden={history.undo === 0}
+          tip={`Takes back: ${history.undoLabel}`}
+          act={() => orders.undo()}
+        />
         <Menu
           opener={{ icon: 'layers', label: 'Layers', iconOnly: true }}
           class="phone-layers"
@@ -33,6 +50,13 @@ export class PhoneBar {
           {(close) => (
             <>
               <MenuItem icon="restart" label="Restart" close={close} act={() => actions.restart()} />
+              <MenuItem
+                icon="plus"
+                label="Add a group…"
+                hidden={replaying}
+                close={close}
+                act={() => actions.openDialog('group')}
+              />
               <MenuItem icon="empty" label="Fit the view" close={close} act={() => actions.fit()} />
               <MenuItem icon="takes" label="All takes…" close={close} act={() => actions.showShelf(true)} />
               <MenuItem icon="download" label="Download take" close={close} act={() => actions.downloadTake()} />

@@ -15,6 +15,7 @@ import { GroupChips } from '../steer/group_chips';
 import { HelpDialog } from './help_dialog';
 import { HintBar } from './hint_bar';
 import { LayerBar } from '../steer/layer_bar';
+import { guardBackdrops } from '../widgets/backdrop_press';
 import { LegendPanel } from '../steer/legend_panel';
 import { LiveRegion } from '../widgets/live_region';
 import { PhoneBar } from './phone_bar';
@@ -94,6 +95,7 @@ export class StudioShell {
     const phone = new PhoneBar(
       store_,
       actions,
+      orders,
       () => playback.chooseFile(),
       () => playback.chooseCharacter(),
     );
@@ -127,6 +129,7 @@ export class StudioShell {
       new Tooltip(document).root,
     );
     pressWithExtraFingers(this.page_);
+    guardBackdrops(document);
     store_.watch(['layout'], ({ layout }) => this.layout_.show(layout));
     store_.watch(['link', 'loaded'], (state) => {
       this.layout_.setInert(isLost(state) ? kNeedServer : []);
