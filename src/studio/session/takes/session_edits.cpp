@@ -111,7 +111,9 @@ void Session::Impl::sendEdits(SessionClient& client) {
         for (const TakeEdit& edit : player->about().edits) message.edits.push_back(messageOf(edit));
         message.checked = !player->preparing();
         if (message.checked) message.findings = editFindings();
-        for (const Clip& clip : motion.library().clips) message.clips.push_back(clip.name);
+        // Transitions between motions play by themselves.
+        for (const Clip& clip : motion.library().clips)
+            if (clip.cyclic || clip.name == clip.motion) message.clips.push_back(clip.name);
     }
     client.outbox.push_back(protocol::encode(message));
 }
