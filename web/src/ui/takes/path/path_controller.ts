@@ -90,7 +90,7 @@ export class PathController implements BuildStrokes, PathActions {
     client.on('takeKept', () => this.waits_ && this.kept());
     client.on('notice', (notice) => this.refused(notice));
     onEscape(
-      () => this.open_ && !this.bar_.root.querySelector('[aria-expanded="true"]'),
+      () => this.open_,
       () => this.leavePaths(),
     );
     this.layer_.root.style.display = 'none';
