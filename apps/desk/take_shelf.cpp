@@ -89,6 +89,20 @@ Status replaceFile(const std::string& path, std::string_view first, std::string_
     return file.commit();
 }
 
+/// The most characters that are there at a time, in the part that is shown; those of the start where no frame
+/// says it.
+std::uint32_t mostCharacters(const Take& take) {
+    const std::uint32_t first = take.about.firstStep(take.steps()), last = take.about.lastStep(take.steps());
+    std::size_t most = 0;
+    for (const TakeFrame& frame : take.frames)
+        if (frame.step >= first && frame.step <= last) most = std::max(most, frame.ids.size());
+    if (most > 0) return static_cast<std::uint32_t>(most);
+    std::uint32_t start = 0;
+    for (const GroupDef& group : take.def.groups)
+        start += static_cast<std::uint32_t>(std::max(0, group.count));
+    return start;
+}
+
 /// Reads what the list tells of a take; false where the file is none.
 bool learn(const std::string& path, ShelvedTake& shelved) {
     const auto text = readTextFile(path, TakeShelf::kMostTakeBytes);
@@ -97,8 +111,7 @@ bool learn(const std::string& path, ShelvedTake& shelved) {
     if (!take.ok() || take->steps() == 0) return false;
     shelved.about = take->about;
     shelved.scenario = take->def.name;
-    for (const GroupDef& group : take->def.groups)
-        shelved.characters += static_cast<std::uint32_t>(std::max(0, group.count));
+    shelved.characters = mostCharacters(*take);
     shelved.steps = take->steps();
     shelved.stepTime = take->def.parameters.stepTime;
     shelved.finished = take->finished;

@@ -62,27 +62,7 @@ struct StudioLink::Impl {
         close();
         context.restart();
         socket = std::make_unique<Socket>(context);
-        LinkError error;
-        asio::ip::tcp::resolver resolver(context);
-        const auto found = resolver.resolve(address.host, address.port, error);
-        const Status none(StatusCode::IoError,
-                          "No studio answers at " + where() + ": start one with 'muster studio'.");
-        if (error) return none;
-        auto& lowest = beast::get_lowest_layer(*socket);
-        asio::connect(lowest.socket(), found, error);
-        if (error) return none;
-        lowest.expires_after(kConnectTime);
-        socket->set_option(websocket::stream_base::timeout::suggested(beast::role_type::client));
-        socket->set_option(websocket::stream_base::decorator([this](websocket::request_type& request) {
-            request.set(beast::http::field::origin, "http://" + where());
-            request.set(beast::http::field::sec_websocket_protocol, protocol::kSubprotocol);
-        }));
-        websocket::response_type response;
-        socket->handshake(response, where(), kTarget, error);
-        if (error)
-            return {StatusCode::IoError, "The studio at " + where() + " refuses: " +
-                                             (response.body().empty() ? error.message() : response.body())};
-        lowest.expires_never();
+        if (Status reached = reach(); !reached.ok()) return close(), reached;
         socket->binary(true);
         socket->read_message_max(64u << 20);
         {
@@ -94,6 +74,47 @@ struct StudioLink::Impl {
         put(protocol::encode(protocol::Hello{name}));
         thread = std::thread([this] { context.run(); });
         return {};
+    }
+
+    // A deadline ends only what is asynchronous: this runs the context until each part has ended.
+    Status reach() {
+        LinkError error;
+        asio::ip::tcp::resolver resolver(context);
+        const auto found = resolver.resolve(address.host, address.port, error);
+        auto& lowest = beast::get_lowest_layer(*socket);
+        lowest.expires_after(kConnectTime);
+        if (!error)
+            lowest.async_connect(found, [&](LinkError ended, const auto&) { error = ended; });
+        finishWork();
+        if (error)
+            return {StatusCode::IoError,
+                    "No studio answers at " + where() + ": start one with 'muster studio'."};
+        lowest.expires_never();  // The handshake has a deadline of its own.
+        auto deadlines = websocket::stream_base::timeout::suggested(beast::role_type::client);
+        deadlines.handshake_timeout = kConnectTime;
+        socket->set_option(deadlines);
+        socket->set_option(websocket::stream_base::decorator([this](websocket::request_type& request) {
+            request.set(beast::http::field::origin, "http://" + where());
+            request.set(beast::http::field::sec_websocket_protocol, protocol::kSubprotocol);
+        }));
+        websocket::response_type response;
+        socket->async_handshake(response, where(), kTarget, [&](LinkError ended) { error = ended; });
+        finishWork();
+        if (error == beast::error::timeout) return silent();
+        if (error)
+            return {StatusCode::IoError, "The studio at " + where() + " refuses: " +
+                                             (response.body().empty() ? error.message() : response.body())};
+        return {};
+    }
+
+    void finishWork() {
+        context.run();
+        context.restart();
+    }
+
+    Status silent() const {
+        return {StatusCode::IoError, "What listens at " + where() +
+                                         " does not answer as a studio does: start one with 'muster studio'."};
     }
 
     void close() {
@@ -157,8 +178,13 @@ Status StudioLink::send(std::vector<std::uint8_t> bytes) {
         const std::lock_guard lock(impl_->mutex);
         open = impl_->open;
     }
-    if (!open)
+    if (!open) {
         if (Status connected = impl_->connect(); !connected.ok()) return connected;
+        const bool greeted = await(kConnectTime, [](const protocol::ServerMessage& message) {
+            return std::holds_alternative<protocol::Welcome>(message);
+        });
+        if (!greeted) return impl_->close(), impl_->silent();
+    }
     asio::post(impl_->context,
                [impl = impl_.get(), bytes = std::move(bytes)]() mutable { impl->put(std::move(bytes)); });
     return {};

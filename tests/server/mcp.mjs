@@ -2,12 +2,14 @@
 // drives a studio through it, and another director watches.
 //
 //     node tests/server/mcp.mjs [PROGRAM]     alone
+import { createHash } from 'node:crypto';
 import { spawn } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { createServer } from 'node:net';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { RawSocket, eventually, fromServer, hello } from './client.mjs';
+import { RawSocket, eventually, fromServer, hello, kPatience, kSubprotocol } from './client.mjs';
 
 /** One session of the protocol: requests by their numbers, one line each. */
 class McpClient {
@@ -153,6 +155,43 @@ export async function mcpTests({ test, check, start, program }) {
     check(await eventually(async () => (await model.call('look')).text.startsWith('No studio answers at')), 'no studio');
     check((await model.end()) === 0, 'exit code');
   });
+  for (const [what, greet] of [
+    ['takes the connection and says nothing', () => {}],
+    ['shakes hands and says nothing', shakeHands],
+  ])
+    await test(`mcp: hears in bounded time that nobody answers where a server ${what}`, () => silence(program, greet, check));
+}
+
+/** The answer to a WebSocket's request. */
+function shakeHands(socket) {
+  socket.on('data', (bytes) => {
+    const key = /Sec-WebSocket-Key: (.*)\r\n/i.exec(bytes.toString('latin1'))?.[1];
+    if (!key) return;
+    const accept = createHash('sha1').update(`${key}258EAFA5-E914-47DA-95CA-C5AB0DC85B11`).digest('base64');
+    const fields = ['Upgrade: websocket', 'Connection: Upgrade', `Sec-WebSocket-Accept: ${accept}`];
+    socket.write(['HTTP/1.1 101 Switching Protocols', ...fields, `Sec-WebSocket-Protocol: ${kSubprotocol}`, '', ''].join('\r\n'));
+  });
+}
+
+/** A server that greets and is silent: the assistant says so, and is still there. */
+async function silence(program, greet, check) {
+  const open = [];
+  const server = createServer((socket) => {
+    open.push(socket);
+    socket.on('error', () => {});
+    greet(socket);
+  });
+  await new Promise((done) => server.listen(0, '127.0.0.1', done));
+  const model = new McpClient(program, `ws://127.0.0.1:${server.address().port}`);
+  await model.begin();
+  const answered = await Promise.race([model.call('undo'), new Promise((done) => setTimeout(done, kPatience, null))]);
+  if (!answered) model.child.kill('SIGKILL');
+  const sentence = `What listens at 127.0.0.1:${server.address().port} does not answer as a studio does: start one with 'muster studio'.`;
+  for (const socket of open) socket.destroy();
+  server.close();
+  check(answered?.failed && answered.text === sentence, answered?.text ?? 'no answer at all');
+  check(JSON.stringify((await model.ask('ping')).result) === '{}', 'it is still there');
+  check((await model.end()) === 0, 'exit code');
 }
 
 /** These tests alone. */

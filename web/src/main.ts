@@ -75,10 +75,10 @@ async function start(mode: string | undefined): Promise<object> {
   openSharedLazily(parts);
   openLinksLazily(parts);
   openPlacesLazily({ ...parts, files: app.files });
-  openBuildLazily({ ...parts, history: app.orders.history });
+  openBuildLazily({ ...parts, history: app.orders.history, cursor: app.cursor });
   openPathsLazily(parts);
   openMeasuresLazily(parts);
-  openWordsLazily(parts, () => app.frame);
+  openWordsLazily({ ...parts, frame: () => app.frame });
   openSequenceLazily({ ...parts, queues: app.orders.queues, frame: () => app.frame });
   const standby = kAbout['standby'];
   if (standby !== undefined)

@@ -2,12 +2,15 @@
 //
 //     always      each case in the first of its sizes, `everySize` ones in all, `release` ones in none: what a push may break
 //     --all       all cases in all of their sizes: a release
+//     --stats     only what crowds of 300 to 10,000 cost the page on a phone and a tablet
 import * as areas from './cases/areas.mjs';
 import * as build from './cases/build.mjs';
+import * as buildKeys from './cases/build_keys.mjs';
 import * as buildPeople from './cases/build_people.mjs';
 import * as buildCorners from './cases/build_corners.mjs';
 import * as camera from './cases/camera.mjs';
 import * as directors from './cases/directors.mjs';
+import * as crowdCosts from './cases/crowd_costs.mjs';
 import * as demonstration from './cases/demonstration.mjs';
 import * as exports from './cases/exports.mjs';
 import * as feedback from './cases/feedback.mjs';
@@ -56,7 +59,7 @@ const kOpen = { scenario: 'scenarios/open.json', room: true };
 const kTablets = ['desktop', 'landscape', 'portrait'];
 
 /** Name, test, sizes, and options of the page. `room`: zoomed out, to have room to drag; `shared`: one page serves all such
- * cases of a size; `counts`: calls of WebGL are counted; a `scenario` gets a server of its own; `bare`: the test starts its own
+ * cases of a size; `counts`: calls of WebGL are counted; `ratio`: device px per CSS px; a `scenario` gets a server of its own; `bare`: the test starts its own
  * servers and pages; `everySize`: what it looks at depends on the size of the screen most; `release`: it takes long and seldom fails alone. */
 const kCases = [
   ['latency', session.latency, ['desktop'], {}],
@@ -200,6 +203,12 @@ const kCases = [
   ['group colour: by touch', groupColour.byTouch, ['landscape', 'portrait', 'phone', 'narrow'], kOpen],
   ['group appearance: by mouse', groupAppearance.byMouse, ['desktop'], { ...kOpen, touch: false }],
   ['group appearance: by touch', groupAppearance.byTouch, ['portrait', 'phone'], kOpen],
+  [
+    'build: by keys alone',
+    buildKeys.byKeys,
+    ['desktop'],
+    { touch: false, scenario: 'scenarios/open.json', room: true },
+  ],
   ['build: numbers', build.numbers, ['wide'], { touch: false, scenario: 'scenarios/open.json', room: true }],
   ['build: bodies', build.bodies, [...kTablets, 'phone'], { scenario: 'scenarios/open.json', room: true }],
   ['build: drags', build.dragsInARow, ['desktop'], { touch: false, scenario: 'scenarios/open.json', room: true }],
@@ -225,6 +234,7 @@ const kCases = [
     ['desktop', 'portrait'],
     { search: '?quality=full&stats', counts: true, made: { count: 10000, near: 100 }, release: true },
   ],
+  ...crowdCosts.kCostCases,
   ['growing crowd', scenarios.growingCrowd, ['desktop'], { scenario: 'scenarios/open.json' }],
   ['two groups', scenarios.twoGroups, ['desktop'], { scenario: 'web/tests/scenarios/two-groups.json', room: true }],
   [
@@ -276,6 +286,7 @@ const kCases = [
     ['desktop', 'phone'],
     { touch: false, scenario: 'scenarios/open.json' },
   ],
+  ['places: the crowd of a shared one', placeShare.crowdOfAShared, ['tablet'], { scenario: 'scenarios/fountain.json' }],
   [
     'place files: shared by network',
     placeShare.sharedByNetwork,
@@ -292,6 +303,7 @@ const kCases = [
   ['control schemes by touch', schemes.byTouch, ['landscape', 'phone'], { room: true }],
   ['study: a whole run', study.wholeRun, ['wide'], { bare: true, release: true }],
   ['study: stopped, lost, two at once', study.brokenRuns, ['wide'], { bare: true, release: true }],
+  ['study: without touch', study.withoutTouch, ['desktop'], { bare: true }],
   ['study: look', study.look, ['wide', 'landscape', 'portrait', 'phone'], { bare: true }],
   ...realMaps.cases(),
 ];

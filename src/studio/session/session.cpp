@@ -10,6 +10,9 @@
 namespace muster {
 namespace {
 
+constexpr const char* kHeldAlready =
+    "that part of the formation is held already; let go of it first (Esc), or take hold elsewhere";
+
 // Events kept for a client that takes no frames; older ones are dropped.
 constexpr std::size_t kMaxEvents = 4096;
 
@@ -33,7 +36,7 @@ Status Session::Impl::begin(const std::string& worldName, const WorldDef& newDef
 void Session::Impl::beginWith(World begun, const std::string& worldName, const WorldDef& newDef,
                               std::unique_ptr<TakePlayer> taken) {
     stopRecording();
-    if (leaving) park();
+    if (leaving) park(taken != nullptr);
     world.emplace(std::move(begun));
     if (&worldDef != &newDef) worldDef = newDef, warn();
     editor.begin(worldDef);
@@ -287,9 +290,16 @@ void Session::Impl::reportRejections() {
         if (const auto* touch = std::get_if<Touch>(&body);
             touch != nullptr && touch->phase != TouchPhase::Down)
             continue;
+        // Who lets go twice has what they want.
+        const auto* edit = std::get_if<EditControl>(&body);
+        if (edit != nullptr && edit->edit == ControlEdit::Remove &&
+            rejection.status.code() == StatusCode::NotFound)
+            continue;
+        const bool adds = std::holds_alternative<AddControl>(body) &&
+                          rejection.status.code() != StatusCode::NotFound;
         if (SessionClient* const client = clientOf(rejection.command.client))
-            notice(*client, protocol::NoticeLevel::Warning, "rejected", rejection.status.message(),
-                   positionOf(body));
+            notice(*client, protocol::NoticeLevel::Warning, "rejected",
+                   adds ? kHeldAlready : rejection.status.message(), positionOf(body));
     }
 }
 

@@ -101,6 +101,8 @@ public:
                                          [&] { return session_.demonstrate(); });
             case protocol::PlaybackAction::GoBack:
                 return session_.goBack(client_.id);
+            case protocol::PlaybackAction::LeaveTake:
+                return session_.leaveTake(client_.id);
         }
         session_.pacer.reset();
         session_.touchState();

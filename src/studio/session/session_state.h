@@ -171,9 +171,11 @@ struct Session::Impl {
     void settleAsk();
     /// A director begins another world, by `work`: where others direct, one can go back to this one.
     Status beginFor(std::uint32_t id, protocol::WorldChange change, const std::function<Status()>& work);
-    void park();
+    void park(bool forTake);
     Status goBack(std::uint32_t id);
+    Status leaveTake(std::uint32_t id, bool records = false);
     Status reopen(const ParkedWorld& back);
+    void goOnAs(const ParkedWorld& back);
     void bringBack(ParkedWorld& back);
     void sendShared(SessionClient& client);
     Status keepPlace(SessionClient& client, const protocol::KeepPlace& message);
@@ -222,8 +224,9 @@ struct Session::Impl {
     Directors directors;
     SharedWorld shared;
     WorldAsk ask;
-    std::optional<Leaving> leaving;     // While somebody begins another world.
-    std::optional<ParkedWorld> parked;  // The world before.
+    std::optional<Leaving> leaving;      // While somebody begins another world.
+    std::optional<ParkedWorld> parked;   // The world before.
+    std::optional<ParkedWorld> beneath;  // The world from which the open take was opened.
     PlaceEditor editor;
     std::vector<PlaceEditor::Given> givenEdits;  // Edits of the step that is made.
     std::vector<SpokenRest> spoken;              // What waits for parts that the next step makes.

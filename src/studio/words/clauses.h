@@ -115,6 +115,7 @@ struct Act {
     std::optional<Spot> to;
     std::vector<Spot> via;
     std::optional<FormationKind> form;
+    bool linesUp = false;  ///< A line, where no other form is said.
     std::int32_t files = 0;
     std::optional<double> spacing;  ///< [m]
     double spread = 1.0;            ///< Factor of the spacing.
@@ -128,6 +129,26 @@ struct Act {
     std::string name;
     std::optional<std::uint32_t> colour;
 };
+
+/// What may be said besides a verb, as bits.
+enum Part : unsigned {
+    kNone = 0,
+    kTo = 1,
+    kVia = 2,
+    kForm = 4,
+    kSpacing = 8,
+    kFacing = 16,
+    kPace = 32,
+    kFreely = 64,
+    kTime = 128,
+    kOthers = 256,
+    kNumber = 512,
+    kName = 1024,
+    kColour = 2048,
+    kStand = kForm | kSpacing | kFacing
+};
+/// All that an act says besides its verb.
+unsigned partsOf(const Act& act);
 
 /// Who, and what they shall do.
 struct Clause {

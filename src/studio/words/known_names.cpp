@@ -58,6 +58,13 @@ std::string_view hueOf(std::uint32_t colour) {
     return nearest;
 }
 
+/// Gates slide aside and back, and their paths end with the world [s].
+constexpr double kWorldEnd = 1e7;
+bool isGate(const ObstacleDef& def) {
+    const std::vector<Waypoint>& points = def.path.waypoints;
+    return !def.polygon.empty() && !points.empty() && !def.path.loop && points.back().time == kWorldEnd;
+}
+
 bool begins(std::span<const Token> tokens, const std::vector<std::string>& words) {
     if (words.empty() || tokens.size() < words.size()) return false;
     for (std::size_t k = 0; k < words.size(); ++k)
@@ -135,6 +142,7 @@ ThingSpot KnownNames::thing(NamedKind kind, std::uint32_t id) const {
         spot.outline = view.outline;
         spot.centre = view.centre;
         spot.radius = view.outline.empty() ? view.def.radius : 0.0;
+        if (isGate(view.def)) spot.doorway = centroid(view.def.polygon);
     } else if (kind == NamedKind::Patch) {
         const PatchView view = world_.patch(PatchId{id});
         spot.name = view.def.name;
@@ -150,6 +158,13 @@ ThingSpot KnownNames::thing(NamedKind kind, std::uint32_t id) const {
     }
     if (!spot.outline.empty()) spot.centre = centroid(spot.outline);
     return spot;
+}
+
+std::vector<ThingSpot> KnownNames::gates() const {
+    std::vector<ThingSpot> gates;
+    for (const ObstacleId id : world_.obstacleIds())
+        if (isGate(world_.obstacle(id).def)) gates.push_back(thing(NamedKind::Obstacle, id.value));
+    return gates;
 }
 
 std::vector<ThingSpot> KnownNames::areas(AreaKind kind) const {

@@ -33,6 +33,7 @@ struct ThingSpot {
     std::vector<Vec2> outline;  ///< Corners [m]; empty for a disc.
     double radius = 0.0;        ///< Of a disc [m].
     AreaKind area = AreaKind::Exit;
+    std::optional<Vec2> doorway;  ///< Of a gate: the middle of the gap that it shuts [m].
 
     /// How far it reaches from its centre in a direction [m].
     double reach(Vec2 direction) const;
@@ -51,6 +52,7 @@ public:
     const std::vector<Named>& all() const { return names_; }
     std::string nameOf(GroupId group) const;
     ThingSpot thing(NamedKind kind, std::uint32_t id) const;
+    std::vector<ThingSpot> gates() const;
     std::vector<ThingSpot> areas(AreaKind kind) const;
 
 private:

@@ -15,10 +15,19 @@ constexpr double kMostAdded = 10000.0;
 
 }  // namespace
 
-void Planner::queue(QueueEdit edit, All crews, const char* verb, const char* rest) {
+void Planner::queue(const Act& act, QueueEdit edit, All crews, const char* verb, const char* rest) {
+    if (!doesNow(act, verb, kNone)) return;
     for (const Crew& crew : crews) {
         commandsFor(crew).push_back(EditQueue{crew.address, edit, {}});
         say(crew, verb, rest);
+    }
+}
+
+void Planner::reverse(const Act& act, All crews) {
+    if (!doesNow(act, "reverse", kNone)) return;
+    for (const Crew& crew : crews) {
+        commandsFor(crew).push_back(ReverseQueue{crew.address});
+        say(crew, "go", "through the orders from the last to the first");
     }
 }
 
@@ -32,27 +41,39 @@ FormationDef Planner::reshape(const Act& act, const Crew& crew) {
 }
 
 void Planner::form(const Act& act, All crews) {
-    if (!changesShape(act)) {
-        if (act.facing) return face(act, crews);
-        return fail(
-            "Which shape? Say “form a ring”, a line, a column, a square, a wedge, a circle or a crescent.");
-    }
+    const bool later = act.then && !fresh_ && !ordered_.empty();
+    if (!(later ? does(act, "form", kStand) : doesNow(act, "form", kStand))) return;
+    if (later) return formLater(act, crews);
     for (const Crew& crew : crews) {
         const FormationDef made = reshape(act, crew);
-        std::string rest = "up " + formWord(made.kind);
-        if (act.spacing) rest += ", " + numberText(made.spacing) + " m apart";
-        say(crew, "take", std::move(rest));
+        const std::string apart = numberText(made.spacing) + " m apart";
+        if (!act.form)
+            say(crew, "stand", apart);
+        else
+            say(crew, "take", "up " + formWord(made.kind) + (changesSpacing(act) ? ", " + apart : ""));
     }
     if (act.facing) face(act, crews);
 }
 
-void Planner::space(const Act& act, All crews) {
-    for (const Crew& crew : crews) say(crew, "stand", numberText(reshape(act, crew).spacing) + " m apart");
+// After the order before it: an order to where that one ends.
+void Planner::formLater(const Act& act, All crews) {
+    for (const Crew& crew : crews) {
+        Order order = Order::move(whereIs(crew));
+        order.formation = formationOf(act, crew);
+        if (act.facing) order.facing = facingOf(*act.facing, crew, order.target);
+        std::string rest = "up " + formWord(order.formation->kind) + " there";
+        if (changesSpacing(act)) rest += ", " + numberText(order.formation->spacing) + " m apart";
+        if (act.facing) rest += ", facing " + act.facing->words;
+        give(crew, std::move(order), true);
+        say(crew, "take", std::move(rest));
+    }
 }
 
 void Planner::split(const Act& act, All crews) {
+    if (!doesNow(act, "split", kNumber)) return;
     for (const Crew& crew : crews) {
         if (!crew.whole) {
+            if (act.number) return fail("Only whole groups can be divided into parts.");
             say(crew, "become", "a group of their own");
             continue;
         }
@@ -72,6 +93,7 @@ void Planner::split(const Act& act, All crews) {
 }
 
 void Planner::merge(const Act& act, All crews) {
+    if (!doesNow(act, "join", kOthers)) return;
     std::vector<GroupId> groups = act.others;
     for (const Crew& crew : crews) {
         if (!crew.whole) return fail("Only whole groups can be joined.");
@@ -87,6 +109,7 @@ void Planner::merge(const Act& act, All crews) {
 }
 
 void Planner::rename(const Act& act, All crews) {
+    if (!doesNow(act, "rename", kName)) return;
     if (crews.size() != 1 || !crews.front().whole) return fail("Name one group at a time.");
     if (act.name.empty() || act.name.size() > 60) return fail("Say a name of at most 60 letters.");
     ChangeGroup change;
@@ -97,6 +120,7 @@ void Planner::rename(const Act& act, All crews) {
 }
 
 void Planner::colour(const Act& act, All crews) {
+    if (!doesNow(act, "colour", kColour)) return;
     if (!act.colour)
         return fail("Which colour? Say red, orange, yellow, green, cyan, blue, purple, pink or grey.");
     for (const Crew& crew : crews) {
@@ -109,7 +133,8 @@ void Planner::colour(const Act& act, All crews) {
     }
 }
 
-void Planner::hurry(double factor, All crews) {
+void Planner::hurry(const Act& act, double factor, All crews) {
+    if (!doesNow(act, factor > 1.0 ? "faster" : "slower", kNone)) return;
     const CharactersView people = scene_.world.characters();
     for (const Crew& crew : crews) {
         ChangeCharacters change;
@@ -128,6 +153,7 @@ void Planner::hurry(double factor, All crews) {
 }
 
 void Planner::add(const Act& act, All crews) {
+    if (!doesNow(act, "add", kNumber)) return;
     const double more = act.number.value_or(0.0);
     if (crews.size() != 1 || !crews.front().whole) return fail("Say the group: “add 10 people to North”.");
     if (more < 1.0 || more > kMostAdded || more != std::floor(more))
@@ -140,7 +166,8 @@ void Planner::add(const Act& act, All crews) {
     say(crew, "get", numberText(more) + " more people");
 }
 
-void Planner::skip(All crews) {
+void Planner::skip(const Act& act, All crews) {
+    if (!doesNow(act, "skip", kNone)) return;
     for (const Crew& crew : crews) {
         const auto g = inspect::indexOfGroup(scene_.world, crew.group);
         const auto orders = scene_.world.group(*g).orders;

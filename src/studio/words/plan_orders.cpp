@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kFollowGap = 2.0;  // Behind whom they follow [m].
 constexpr double kGuardGap = 1.5;   // Round what they guard [m].
+constexpr double kBeyond = 2.0;     // A gate that they went through [m].
 constexpr double kGuardHalf = 2.0;  // Round a mere point [m].
 
 std::string metres(double value) {
@@ -46,6 +47,24 @@ std::string placesText(const std::vector<Spot>& places) {
     for (const Spot& spot : places)
         text += (text.empty() ? "" : " and ") + (spot.words.empty() ? "there" : spot.words);
     return text;
+}
+
+const ThingSpot* gateAt(const Spot& spot, Vec2 from) {
+    if (spot.kind != SpotKind::Thing || spot.beside != Beside::At) return nullptr;
+    const ThingSpot& thing = nearestOf(spot.things, from);
+    return thing.doorway ? &thing : nullptr;
+}
+
+/// Where those stand who have gone through a gate: behind it, as seen from where they come.
+Vec2 beyond(const ThingSpot& gate, const Crew& from, const FormationDef& formation) {
+    Vec2 side;
+    for (std::size_t k = 0; k < gate.outline.size(); ++k) {
+        const Vec2 one = gate.outline[(k + 1) % gate.outline.size()] - gate.outline[k];
+        if (length(one) > length(side)) side = one;
+    }
+    Vec2 across = Vec2{-side.y, side.x} / std::max(1e-9, length(side));
+    if (dot(*gate.doorway - from.middle, across) < 0.0) across = -across;
+    return *gate.doorway + across * (extentOf(formation, from.count()).farthest() + kBeyond);
 }
 
 }  // namespace
@@ -86,7 +105,10 @@ std::vector<Vec2> Planner::routeOf(const Act& act, const Crew& crew, Vec2 target
     route.push_back(whereIs(crew));
     for (const Spot& spot : act.via) {
         walker.middle = route.back();
-        route.push_back(standsAt(spot, scene_.world, {walker}, {formationOf(act, crew)}).front().target);
+        const ThingSpot* const gate = gateAt(spot, walker.middle);
+        const FormationDef formation = formationOf(act, crew);
+        // Other things are passed beside, a gate is gone through.
+        route.push_back(gate ? *gate->doorway : standsAt(spot, scene_.world, {walker}, {formation})[0].target);
     }
     route.push_back(target);
     return route;
@@ -94,8 +116,13 @@ std::vector<Vec2> Planner::routeOf(const Act& act, const Crew& crew, Vec2 target
 
 void Planner::move(const Act& act, All crews) {
     if (!act.to && act.via.empty()) {
-        if (changesShape(act)) return act.form ? form(act, crews) : space(act, crews);
+        if (changesShape(act)) return form(act, crews);
         if (act.facing) return face(act, crews);
+        if (act.verb == Verb::Face) return fail("Where to? Say “face north”, “face the middle” or “turn left”.");
+        if (act.verb == Verb::Form)
+            return fail(
+                "Which shape? Say “form a ring”, a line, a column, a square, a wedge, a circle or a "
+                "crescent.");
         return fail("Where to? Say a thing, as “to the middle”, a point, as “to 5, 3”, or “10 m north”.");
     }
     Spot spot = act.to ? *act.to : act.via.back();
@@ -113,6 +140,7 @@ void Planner::move(const Act& act, All crews) {
 }
 
 void Planner::moveTo(const Act& act, All crews, const Spot& spot) {
+    if (!does(act, "go", kTo | kVia | kStand | kPace | kFreely)) return;
     std::vector<FormationDef> formations;
     std::vector<Crew> from;
     for (const Crew& crew : crews) {
@@ -123,8 +151,12 @@ void Planner::moveTo(const Act& act, All crews, const Spot& spot) {
     const std::vector<Stand> stands = standsAt(spot, scene_.world, from, formations);
     for (std::size_t k = 0; k < crews.size(); ++k) {
         const Crew& crew = crews[k];
-        Order order = Order::move(stands[k].target, stands[k].facing);
+        const ThingSpot* const gate = act.to ? nullptr : gateAt(spot, from[k].middle);
+        Order order = gate ? Order::move(beyond(*gate, from[k], formations[k]))
+                           : Order::move(stands[k].target, stands[k].facing);
         if (act.facing) order.facing = facingOf(*act.facing, crew, order.target);
+        if (stands[k].spacing && changesSpacing(act))
+            return fail("A ring round " + spot.words + " has to be wider than that: leave the spacing out.");
         if (stands[k].spacing) formations[k].spacing = *stands[k].spacing;
         if (!crew.whole || formations[k] != crew.formation) order.formation = formations[k];
         order.route = routeOf(act, from[k], order.target);
@@ -133,10 +165,12 @@ void Planner::moveTo(const Act& act, All crews, const Spot& spot) {
             order.pace = *act.pace;
         else if (act.haste < 1.0)
             order.pace = scene_.world.parameters().character.maxSpeed * act.haste;
-        std::string rest = whereTo(spot);
+        std::string rest = act.to ? whereTo(spot) : "";
         if (act.form) rest += " in " + formWord(formations[k].kind);
+        if (changesSpacing(act)) rest += ", " + numberText(formations[k].spacing) + " m apart";
         if (!act.via.empty()) rest += " by way of " + placesText(act.via);
         if (act.facing) rest += ", facing " + act.facing->words;
+        if (act.freely) rest += ", each by a way of their own,";
         if (order.pace > 0.0) rest += " at " + numberText(order.pace) + " m/s";
         give(crew, std::move(order), act.then && fresh_);
         say(crew, "go", std::move(rest));
@@ -144,6 +178,7 @@ void Planner::moveTo(const Act& act, All crews, const Spot& spot) {
 }
 
 void Planner::goToArea(const Act& act, All crews, const ThingSpot& area) {
+    if (!does(act, "wait in an area", kTo | kTime)) return;
     for (const Crew& crew : crews) {
         give(crew, Order::wait(AreaId{area.id}, act.seconds), act.then && fresh_);
         say(crew, "wait",
@@ -152,7 +187,7 @@ void Planner::goToArea(const Act& act, All crews, const ThingSpot& area) {
 }
 
 void Planner::face(const Act& act, All crews) {
-    if (!act.facing) return fail("Where to? Say “face north”, “face the middle” or “turn left”.");
+    if (!does(act, "face", kStand)) return;
     for (const Crew& crew : crews) {
         const auto angle = facingOf(*act.facing, crew, whereIs(crew));
         if (!angle) return fail(crew.label + " is there already.");
@@ -163,7 +198,9 @@ void Planner::face(const Act& act, All crews) {
 }
 
 void Planner::follow(const Act& act, All crews) {
+    if (!does(act, "follow", kOthers)) return;
     if (act.others.empty()) return fail("Follow whom? Say the name of a group.");
+    if (act.others.size() > 1) return fail("Follow which of them? Say the name of one group.");
     const GroupId leader = act.others.front();
     const Crew ahead = crews_.whole(leader);
     double behind = extentOf(ahead.formation, ahead.count()).rear + kFollowGap;
@@ -180,6 +217,7 @@ void Planner::follow(const Act& act, All crews) {
 }
 
 void Planner::guard(const Act& act, All crews) {
+    if (!does(act, "guard", kTo)) return;
     if (!act.to) return fail("Guard what? Say the name of a thing or a group.");
     const Spot& spot = *act.to;
     for (const Crew& crew : crews) {
@@ -198,6 +236,7 @@ void Planner::guard(const Act& act, All crews) {
 }
 
 void Planner::leave(const Act& act, All crews) {
+    if (!does(act, "leave", kTo)) return;
     const std::vector<ThingSpot> exits = names_.areas(AreaKind::Exit);
     if (exits.empty()) return fail("There is no exit here to leave by.");
     std::vector<AreaId> by;
@@ -216,6 +255,8 @@ void Planner::leave(const Act& act, All crews) {
 }
 
 void Planner::walk(const Act& act, All crews) {
+    if (act.to && (act.to->kind != SpotKind::Shift || act.to->metres)) return move(act, crews);
+    if (!does(act, "keep walking", kTo)) return;
     for (const Crew& crew : crews) {
         double angle = crew.heading();
         std::string words = "where it faces";
@@ -230,9 +271,10 @@ void Planner::walk(const Act& act, All crews) {
 }
 
 void Planner::patrol(const Act& act, All crews) {
+    if (!doesNow(act, "patrol", act.via.empty() ? kTo : kVia)) return;
     if (act.via.empty()) {
         if (act.to) return fail("Say two places: “patrol between ... and ...”.");
-        return queue(QueueEdit::Patrol, crews, "patrol", "along the orders");
+        return queue(act, QueueEdit::Patrol, crews, "patrol", "along the orders");
     }
     for (const Crew& crew : crews) {
         Crew walker = crew;
@@ -251,11 +293,12 @@ void Planner::patrol(const Act& act, All crews) {
 }
 
 void Planner::swap(const Act& act, All crews) {
+    if (!does(act, "swap", kOthers)) return;
     std::vector<Crew> pair = crews;
     for (const GroupId other : act.others) pair.push_back(crews_.whole(other));
     if (pair.size() != 2) return fail("Two groups can change places: say “North and South swap places”.");
     for (std::size_t k = 0; k < 2; ++k) {
-        give(pair[k], Order::move(pair[1 - k].middle, pair[k].heading()), false);
+        give(pair[k], Order::move(pair[1 - k].middle, pair[k].heading()), act.then && fresh_);
         say(pair[k], "go", "to where " + pair[1 - k].label + " stands");
     }
 }

@@ -20,16 +20,18 @@ bool isOrder(Verb verb) {
 std::vector<Act> folded(const std::vector<Act>& acts) {
     std::vector<Act> all;
     for (const Act& act : acts) {
-        const bool leads = isOrder(act.verb) && !act.to && act.via.empty() && !act.form && !act.facing;
+        const bool leads = isOrder(act.verb) && partsOf(act) == kNone;
         if (leads && &act != &acts.back()) continue;  // “Take them and put them there” is one order.
         Act* const before = all.empty() ? nullptr : &all.back();
         const bool goes = before != nullptr && before->to &&
                           (isOrder(before->verb) || before->verb == Verb::Form);
         const bool stays = act.verb == Verb::Hold || act.verb == Verb::Stop ||
                            (act.verb == Verb::Wait && !act.to);
-        if (goes && stays) continue;
-        const bool shapes = (act.verb == Verb::Form || act.verb == Verb::Space) && !act.to;
-        if (goes && !act.then && ((act.verb == Verb::Face && !act.to) || shapes)) {
+        if (goes && stays && partsOf(act) == kNone) continue;
+        const bool stands = act.verb == Verb::Face || act.verb == Verb::Form || act.verb == Verb::Space;
+        const unsigned said = partsOf(act);
+        const bool first = before != nullptr && (said & partsOf(*before)) == kNone;
+        if (goes && !act.then && stands && (said & ~kStand) == kNone && first) {
             if (act.facing) before->facing = act.facing;
             if (act.form) before->form = act.form, before->files = act.files;
             if (act.spacing) before->spacing = act.spacing;
@@ -41,7 +43,7 @@ std::vector<Act> folded(const std::vector<Act>& acts) {
     return all;
 }
 
-std::string withS(std::string verb) {
+std::string withS(const std::string& verb) {
     const bool es = verb.ends_with("o") || verb.ends_with("sh") || verb.ends_with("ch") ||
                     verb.ends_with("ss");
     return verb + (es ? "es" : "s");
@@ -105,6 +107,7 @@ bool Planner::planDeed(const Clause& clause) {
     if (clause.who || clause.acts.size() != 1) return false;
     const Act& act = clause.acts.front();
     const auto deed = [&](WordsDeed done, const char* sentence) {
+        if (!doesNow(act, "this", kNone)) return true;
         result_.deed = done;
         result_.sentences.emplace_back(sentence);
         return true;
@@ -122,6 +125,7 @@ bool Planner::planDeed(const Clause& clause) {
             return deed(WordsDeed::Redo, "What you took back is done again.");
         case Verb::Pace: {
             const double speed = act.number.value_or(1.0);
+            if (!doesNow(act, "speed", kNumber)) return true;
             if (speed < 0.1 || speed > 8.0) return fail("Say a speed of 0.1 to 8."), true;
             result_.speed = speed;
             result_.sentences.push_back("Time goes " + numberText(speed) + " times as fast as in life.");
@@ -167,9 +171,10 @@ void Planner::planAct(const Act& act, All crews) {
     switch (act.verb) {
         case Verb::None:
         case Verb::Move:
-            return move(act, crews);
         case Verb::Face:
-            return face(act, crews);
+        case Verb::Form:
+        case Verb::Space:
+            return move(act, crews);
         case Verb::Follow:
             return follow(act, crews);
         case Verb::Guard:
@@ -177,23 +182,19 @@ void Planner::planAct(const Act& act, All crews) {
         case Verb::Leave:
             return leave(act, crews);
         case Verb::Wait:
-            return act.to ? move(act, crews) : queue(QueueEdit::Hold, crews, "hold", "");
+            return act.to ? move(act, crews) : queue(act, QueueEdit::Hold, crews, "hold", "");
         case Verb::Walk:
             return walk(act, crews);
         case Verb::Stop:
-            return queue(QueueEdit::Stop, crews, "stop", "");
+            return queue(act, QueueEdit::Stop, crews, "stop", "");
         case Verb::Hold:
-            return queue(QueueEdit::Hold, crews, "hold", "");
+            return queue(act, QueueEdit::Hold, crews, "hold", "");
         case Verb::Resume:
-            return queue(QueueEdit::Resume, crews, "go", "on");
+            return queue(act, QueueEdit::Resume, crews, "go", "on");
         case Verb::Patrol:
             return patrol(act, crews);
         case Verb::EndPatrol:
-            return queue(QueueEdit::EndPatrol, crews, "end", "the patrol");
-        case Verb::Form:
-            return act.to ? move(act, crews) : form(act, crews);
-        case Verb::Space:
-            return act.to ? move(act, crews) : space(act, crews);
+            return queue(act, QueueEdit::EndPatrol, crews, "end", "the patrol");
         case Verb::Split:
             return split(act, crews);
         case Verb::Merge:
@@ -205,19 +206,15 @@ void Planner::planAct(const Act& act, All crews) {
         case Verb::Colour:
             return colour(act, crews);
         case Verb::Faster:
-            return hurry(4.0 / 3.0, crews);
+            return hurry(act, 4.0 / 3.0, crews);
         case Verb::Slower:
-            return hurry(0.75, crews);
+            return hurry(act, 0.75, crews);
         case Verb::Add:
             return add(act, crews);
         case Verb::Reverse:
-            for (const Crew& crew : crews) {
-                commandsFor(crew).push_back(ReverseQueue{crew.address});
-                say(crew, "go", "through the orders from the last to the first");
-            }
-            return;
+            return reverse(act, crews);
         case Verb::Skip:
-            return skip(crews);
+            return skip(act, crews);
         default:
             return fail("Say that in a sentence of its own.");
     }

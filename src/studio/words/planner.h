@@ -28,6 +28,9 @@ private:
     bool planDeed(const Clause& clause);
     const Spot* nearOf(const std::vector<Act>& acts) const;
     void fail(std::string problem);
+    /// False, with a problem, where an act says what its verb does not do; also where it is to be later.
+    bool does(const Act& act, const char* verb, unsigned parts);
+    bool doesNow(const Act& act, const char* verb, unsigned parts);
 
     // Orders (plan_orders.cpp).
     void move(const Act& act, All crews);
@@ -46,21 +49,23 @@ private:
     Vec2 whereIs(const Crew& crew) const;
 
     // Other changes (plan_changes.cpp).
-    void queue(QueueEdit edit, All crews, const char* verb, const char* rest);
+    void queue(const Act& act, QueueEdit edit, All crews, const char* verb, const char* rest);
+    void reverse(const Act& act, All crews);
     /// Gives a crew the formation that is wanted, which it returns.
     FormationDef reshape(const Act& act, const Crew& crew);
     void form(const Act& act, All crews);
-    void space(const Act& act, All crews);
+    void formLater(const Act& act, All crews);
     void split(const Act& act, All crews);
     void merge(const Act& act, All crews);
     void rename(const Act& act, All crews);
     void colour(const Act& act, All crews);
-    void hurry(double factor, All crews);
+    void hurry(const Act& act, double factor, All crews);
     void add(const Act& act, All crews);
-    void skip(All crews);
+    void skip(const Act& act, All crews);
 
     FormationDef formationOf(const Act& act, const Crew& crew) const;
-    bool changesShape(const Act& act) const { return act.form || act.spacing || act.spread != 1.0; }
+    bool changesSpacing(const Act& act) const { return act.spacing || act.spread != 1.0; }
+    bool changesShape(const Act& act) const { return act.form || changesSpacing(act); }
     /// Commands about a part follow once it is a group.
     std::vector<CommandBody>& commandsFor(const Crew& crew);
     void say(const Crew& crew, const char* verb, std::string rest);

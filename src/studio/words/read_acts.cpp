@@ -119,14 +119,16 @@ bool Reader::readForm() {
     const std::size_t before = at_;
     if (number() && isOneOf({"abreast", "files", "wide"}, 1)) {
         Act& how = act();
+        if (how.files > 0) return failTwice(), true;
         how.files = static_cast<std::int32_t>(*number());
-        how.form = FormationKind::Square;
+        if (how.verb == Verb::None && !how.to && how.via.empty()) how.verb = Verb::Form;
         at_ += 2;
         return true;
     }
     take({"in", "into", "as", "to"});
     take({"form"});
     skipArticles();
+    const double spread = isOneOf({"big", "wide"}) ? kWider : isOneOf({"small", "tight"}) ? 1.0 / kWider : 1.0;
     take({"big", "small", "single", "nice", "neat", "straight", "tight", "wide", "full", "closed"});
     const auto form = formOf(word());
     const auto named = names_.startOf(rest(), false);
@@ -136,9 +138,15 @@ bool Reader::readForm() {
     const bool verbless = clause().acts.empty();
     Act& how = verbless ? newAct(Verb::Form) : act();
     if (how.verb == Verb::None && !how.to && how.via.empty()) how.verb = Verb::Form;
+    if (how.form) return failTwice(), true;
     how.form = form;
+    if (spread != 1.0 && (how.spacing || how.spread != 1.0)) return failTwice(), true;
+    how.spread *= spread;
     if (isOneOf({"around", "round", "about"}))
-        if (auto spot = readSpot()) how.to = std::move(spot);
+        if (auto spot = readSpot()) {
+            if (how.to) return failTwice(), true;
+            how.to = std::move(spot);
+        }
     return true;
 }
 
@@ -163,7 +171,9 @@ bool Reader::readSpacing() {
     }
     if (metres) {
         if (*metres < kDensest || *metres > kSparsest) return fail("Say a spacing of 0.3 to 20 m."), true;
+        if (act().spacing) return failTwice(), true;
         act().spacing = metres;
+        if (act().spread != 1.0 && act().verb != Verb::Space) return failTwice(), true;
         if (act().verb == Verb::None) act().verb = Verb::Space;
         return true;
     }
@@ -174,6 +184,8 @@ bool Reader::readSpacing() {
     ++at_;
     take({"together", "apart"});
     Act& how = act();
+    const bool otherwise = how.spread != 1.0 && (how.spread > 1.0) != wider;
+    if (how.spacing || otherwise) return failTwice(), true;
     how.spread = wider ? kWider : 1.0 / kWider;
     if (how.verb == Verb::None) how.verb = Verb::Space;
     return true;
@@ -193,6 +205,7 @@ bool Reader::readPace() {
         const double pace = *number();
         at_ += 4;
         if (pace < 0.05 || pace > 10.0) return fail("Say a pace of 0.05 to 10 m/s."), true;
+        if (act().pace) return failTwice(), true;
         act().pace = pace;
         return true;
     }
@@ -210,6 +223,7 @@ bool Reader::readVia() {
     if (!spot) return at_ = before, false;
     const bool exit = spot->kind == SpotKind::Thing && spot->things.front().kind == NamedKind::Area;
     Act& how = act();
+    if (exit && how.verb == Verb::Leave && how.to) return failTwice(), true;
     if (exit && how.verb == Verb::Leave)
         how.to = std::move(spot);
     else
@@ -227,6 +241,7 @@ bool Reader::readDuration() {
     const bool minutes = isOneOf({"minute", "minutes", "min"}, 1);
     if (!seconds && !minutes) return at_ = before, false;
     if (later) return fail("I cannot start something later: say “then” behind what comes before it."), true;
+    if (act().seconds > 0.0) return failTwice(), true;
     act().seconds = *number() * (minutes ? 60.0 : 1.0);
     at_ += 2;
     return true;
@@ -240,6 +255,7 @@ bool Reader::readPreposition() {
         if (!facing) return at_ = before, false;
         Act& how = act();
         if (how.verb == Verb::None) how.verb = how.to ? Verb::Move : Verb::Face;
+        if (how.facing) return failTwice(), true;
         how.facing = std::move(facing);
         return true;
     }
@@ -252,6 +268,7 @@ bool Reader::readPreposition() {
         const auto share = shareOf(word());
         const auto count = number() ? number() : share ? std::optional(1.0 / *share) : std::nullopt;
         if (!count) return failAtWord(), true;
+        if (last->number) return failTwice(), true;
         last->number = count;
         ++at_;
         take({"parts", "groups", "pieces", "teams", "halves", "equal"});
@@ -259,6 +276,7 @@ bool Reader::readPreposition() {
     }
     if (verb == Verb::Merge && take({"into", "with", "to"})) {
         skipArticles();
+        if (!last->others.empty()) return failTwice(), true;
         last->others = readGroup();
         if (last->others.empty()) failAtWord();
         return true;
@@ -268,6 +286,7 @@ bool Reader::readPreposition() {
     if (verb == Verb::Split && take({"off", "from"})) return true;
     if ((verb == Verb::Colour || verb == Verb::None) && colourOf(word()) && clause().who) {
         (last != nullptr ? *last : newAct(Verb::Colour)).verb = Verb::Colour;
+        if (clause().acts.back().colour) return failTwice(), true;
         clause().acts.back().colour = colourOf(word());
         return ++at_, true;
     }
@@ -292,6 +311,7 @@ bool Reader::readPreposition() {
         return true;
     }
     if (verb == Verb::Leave && take({"by", "through", "at", "via", "from", "using"})) {
+        if (last->to) return failTwice(), true;
         last->to = readSpot();
         if (!last->to) failAtWord();
         return true;
@@ -301,7 +321,7 @@ bool Reader::readPreposition() {
     auto spot = readSpot();
     if (!spot) return at_ = before, false;
     Act& how = act();
-    if (how.to && how.verb != Verb::Swap) {  // A second place is the next one.
+    if (how.to) {  // A second place is the next one.
         Act& next = newAct(Verb::Move);
         next.to = std::move(spot);
         next.then = true;

@@ -20,12 +20,22 @@ bool Reader::isGroupHere() const {
            !isOneOf({"side", "edge", "end", "corner", "wall", "of"}, skip + found.front()->words.size());
 }
 
+// True where a thing's name comes next, as “North gate”, and not “north”.
+bool Reader::isThingHere() const {
+    const bool to = isOneOf({"to", "at"});
+    std::size_t skip = 0;
+    while (isOneOf({"to", "at", "in", "into", "on", "the"}, skip)) ++skip;
+    const auto found = names_.startOf(rest(skip), false);
+    return !found.empty() && (to || found.front()->words.size() > 1);
+}
+
 std::optional<Spot> Reader::readSpot(bool named) {
     const std::size_t before = at_;
     if (auto spot = readPoint()) return spot;
     if (auto spot = readBetween()) return spot;
     const bool group = (named || isOneOf({"to", "at"})) && isGroupHere();
-    if (!group)
+    const bool thing = isThingHere();
+    if (!group && !thing)
         if (auto spot = readShift()) return spot;
     at_ = before;
     Beside beside = Beside::At;
@@ -40,7 +50,7 @@ std::optional<Spot> Reader::readSpot(bool named) {
         beside = Beside::Behind;
     else
         take({"at", "in", "into", "inside", "on", "onto", "to"});
-    if (!group)
+    if (!group && !thing)
         if (auto spot = readEdge()) return spot;
     auto spot = readNamed();
     if (!spot) {
@@ -216,9 +226,14 @@ std::optional<Spot> Reader::readThing() {
         spot.words = found.front()->name;
         return spot;
     }
-    if (isOneOf({"exit", "exits", "door", "doors"})) {
+    const bool door = isOneOf({"door", "doors"});
+    if (door || isOneOf({"exit", "exits"})) {
         spot.things = names_.areas(AreaKind::Exit);
         spot.words = "the nearest exit";
+    }
+    if (isOneOf({"gate", "gates"}) || (door && spot.things.empty())) {
+        spot.things = names_.gates();
+        spot.words = "the nearest gate";
     } else if (isOneOf({"waiting"})) {
         spot.things = names_.areas(AreaKind::Waiting);
         spot.words = "the waiting area";

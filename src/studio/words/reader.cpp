@@ -23,6 +23,8 @@ Reading Reader::read() {
         if (at_ == before && problem_.empty()) failAtWord();
         if (clauses_.size() > kMostClauses) fail("That is too much at once: say it in several sentences.");
     }
+    for (Clause& clause : clauses_)
+        for (Act& act : clause.acts) settleForm(act);
     return {std::move(clauses_), std::move(problem_)};
 }
 
@@ -91,7 +93,7 @@ bool Reader::readVerb() {
     const Token& last = tokens_[at_ - 1];
     if (found.verb == Verb::Form && found.words == 2 && tokens_[at_ - 2].text.starts_with("line") &&
         last.text == "up")
-        made.form = FormationKind::Line;
+        made.linesUp = true;
     boundary_ = false;
     readObject(made);
     return true;
@@ -120,6 +122,20 @@ Act& Reader::newAct(Verb verb) {
     }
     acts.push_back(std::move(made));
     return acts.back();
+}
+
+// Ranks of so many are a block; other shapes have none.
+void Reader::settleForm(Act& act) {
+    if (act.linesUp && !act.form) act.form = FormationKind::Line;
+    if (act.files == 0) return;
+    using enum FormationKind;
+    if (act.form && *act.form != Square && *act.form != Line && *act.form != Column)
+        return fail("Only a square, a line or a column has people abreast.");
+    act.form = Square;
+}
+
+void Reader::failTwice() {
+    fail("That is said twice: say it once, or “then” before the second.");
 }
 
 void Reader::fail(std::string problem) {

@@ -39,6 +39,8 @@ private:
     Act& newAct(Verb verb);
     void fail(std::string problem);
     void failAtWord();
+    void failTwice();
+    void settleForm(Act& act);
     std::string guess(const Token& token) const;
 
     // Cursor.
@@ -76,6 +78,7 @@ private:
     /// `named`: where a group is called North, “north” is the group.
     std::optional<Spot> readSpot(bool named = false);
     bool isGroupHere() const;
+    bool isThingHere() const;
     std::optional<Spot> readNamed();
     std::optional<Spot> readPoint();
     std::optional<Spot> readShift();

@@ -78,7 +78,7 @@ TEST_CASE("Unknown numbers, flags and enumerations are malformed") {
     checkRefused(session, std::vector<std::uint8_t>{15}, "malformed");
     checkRefused(session, std::vector<std::uint8_t>{255}, "malformed");
     auto transport = protocol::encode(protocol::Playback{protocol::PlaybackAction::Restart});
-    transport[1] = 6;
+    transport[1] = 255;
     checkRefused(session, transport, "malformed");
     auto record = protocol::encode(protocol::Record{true});
     record[1] = 2;

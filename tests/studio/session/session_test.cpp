@@ -233,10 +233,29 @@ TEST_CASE("A control added by one message, pinned, then removed") {
     client.send(commandsOf(EditControl{GroupId{1}, ControlId{id}, ControlEdit::Remove}));
     run(session, 0.1, {&client});
     CHECK(client.frames.back().groups[0].controls.empty());
-    client.send(commandsOf(EditControl{GroupId{1}, ControlId{id}, ControlEdit::Remove}));
+    client.send(commandsOf(EditControl{GroupId{1}, ControlId{id}, ControlEdit::Pin}));
     run(session, 0.1, {&client});
     CHECK(client.noticed("rejected").find("control") != std::string::npos);
     CHECK(!client.notices.back().hasPlace);
+}
+
+TEST_CASE("What is held already is said so, and who lets go twice hears nothing") {
+    Session session = startedSession();
+    FakeClient client(session);
+    const Vec2 corner = session.world()->group(0).userMesh.front();
+    const GroupId group = session.world()->group(0).id;
+    client.send(commandsOf(AddControl{group, ControlKind::Point, {1}, {corner}, 0.0}));
+    run(session, 0.1, {&client});
+    REQUIRE(session.world()->group(0).controls.size() == 1);
+    const ControlId control = session.world()->group(0).controls[0].id;
+    client.send(commandsOf(AddControl{group, ControlKind::Point, {2}, {corner}, 0.1}));
+    run(session, 0.1, {&client});
+    CHECK(client.noticed("rejected").find("is held already; let go of it first") != std::string::npos);
+    client.notices.clear();
+    for (int i = 0; i < 2; ++i) client.send(commandsOf(EditControl{group, control, ControlEdit::Remove}));
+    run(session, 0.1, {&client});
+    CHECK(session.world()->group(0).controls.empty());
+    CHECK(client.notices.empty());
 }
 
 TEST_CASE("A notice says where a finger or a control was refused") {

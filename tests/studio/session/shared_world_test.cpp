@@ -167,6 +167,60 @@ TEST_CASE("A take that was open comes back at the same moment") {
     CHECK(two.session.world()->stepCount() == step);
 }
 
+TEST_CASE("Who leaves a take is back in the world that they left for it, as it was") {
+    Session session = startedSession();
+    FakeClient anna(session, true, "Anna");
+    run(session, 0.5, {&anna});
+    anna.send(edited("Add wall", 0, R"([{"kind":"obstacle","definition":{"centre":[9,9],"radius":1}}])"));
+    run(session, 0.5, {&anna});
+    const std::uint32_t step = session.world()->stepCount();
+    const auto bytes = session.take();
+    REQUIRE(bytes.ok());
+    // Another take over the first one changes nothing of what waits beneath them.
+    for (int i = 0; i < 2; ++i) {
+        REQUIRE(session.openTake(*bytes, "take", {}, anna.id).ok());
+        run(session, 0.2, {&anna});
+        CHECK(anna.takes.back().beneath == "Small floor");
+    }
+    anna.send(protocol::Playback{PlaybackAction::LeaveTake});
+    run(session, 0.2, {&anna});
+    CHECK_FALSE(session.replaying());
+    CHECK(session.world()->stepCount() >= step);
+    CHECK(session.world()->stepCount() < step + 30);
+    CHECK(anna.scenes.back().obstacles.size() == 1);
+    CHECK(session.playing());
+    anna.send(protocol::Playback{PlaybackAction::LeaveTake});
+    run(session, 0.1, {&anna});
+    CHECK(anna.noticed("Playback") == "there is no world to go back to");
+}
+
+TEST_CASE("What comes back while somebody builds goes on afterwards only where it ran") {
+    TwoDirectors two;
+    two.pass(1.0);
+    const auto bytes = two.session.take();
+    REQUIRE(bytes.ok());
+    for (const bool taken : {true, false})
+        for (const bool ran : {true, false}) {
+            CAPTURE(taken);
+            CAPTURE(ran);
+            if (taken)
+                REQUIRE(two.session.openTake(*bytes, "take", {}, two.anna.id).ok());
+            else
+                two.anna.send(protocol::LoadScenario{"small"});
+            two.pass(0.3);
+            two.ben.send(protocol::Playback{ran ? PlaybackAction::Play : PlaybackAction::Pause});
+            two.ben.send(protocol::LoadScenario{"small"});
+            two.ben.send(protocol::Build{true});
+            two.anna.send(protocol::Playback{PlaybackAction::GoBack});
+            two.pass(0.2);
+            CHECK(two.session.replaying() == taken);
+            CHECK_FALSE(two.session.playing());
+            two.ben.send(protocol::Build{false});
+            two.pass(0.1);
+            CHECK(two.session.playing() == ran);
+        }
+}
+
 TEST_CASE("Who is alone leaves nothing behind to go back to") {
     Session session = startedSession();
     FakeClient anna(session, true, "Anna");

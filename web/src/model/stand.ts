@@ -2,7 +2,8 @@
 
 import { Standing, type PlacesFrame } from '../protocol/messages';
 import { frontLine, outlineOf, placed } from './group_shapes';
-import { distance, pointsOf, type GroundPoint } from './plane';
+import { pointsOf, type GroundPoint } from './plane';
+import { StandingGrid } from './standing_grid';
 
 /** A place and heading of a formation. */
 export interface StandPose extends GroundPoint {
@@ -54,17 +55,10 @@ export function movedStand(stand: Stand, dx: number, dy: number): Stand {
 
 /** Per place: 1 where somebody stands nearer than `apart` [m]. */
 export function takenPlaces(places: readonly GroundPoint[], { x, y }: StandingPeople, apart: number): number[] {
-  const cell = (at: number): number => Math.floor(at / apart);
-  const cells = new Map<string, number[]>();
-  for (let k = 0; k < x.length; ++k) {
-    const key = `${cell(x[k]!)} ${cell(y[k]!)}`;
-    cells.set(key, [...(cells.get(key) ?? []), k]);
-  }
-  const kAbout = [-1, 0, 1];
-  return places.map((at) => {
-    const near = kAbout.flatMap((i) => kAbout.flatMap((j) => cells.get(`${cell(at.x) + i} ${cell(at.y) + j}`) ?? []));
-    return Number(near.some((k) => distance(at, { x: x[k]!, y: y[k]! }) < apart));
-  });
+  const grid = new StandingGrid();
+  const pairs = Float32Array.from({ length: 2 * x.length }, (_, k) => (k % 2 === 0 ? x : y)[k >> 1]!);
+  grid.fill(pairs, 2, x.length);
+  return places.map((at) => Number(grid.someoneNear(at.x, at.y, apart)));
 }
 
 function countOf(unfit: ArrayLike<number>, counts: (bar: number) => boolean): number {

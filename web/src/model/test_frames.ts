@@ -139,6 +139,7 @@ export const kOpenTake: OpenTake = {
   stored: false,
   speeds: [],
   marks: [],
+  beneath: '',
 };
 
 /** The mesh of a group, of two triangles with a place in each. */

@@ -11,7 +11,8 @@ describe('isSameWorld', () => {
     expect(isSameWorld(scene, { ...scene, obstacles: [tree], groups: [], title: 'Other' })).toBe(true);
   });
   it('is false for another name or another box', () => {
-    expect(isSameWorld(scene, { ...scene, name: 'block' })).toBe(false);
+    expect(isSameWorld(scene, { ...scene, name: 'places/yard' })).toBe(true);
+    expect(isSameWorld(scene, { ...scene, name: 'block', world: scene.world + 1 })).toBe(false);
     expect(isSameWorld(scene, { ...scene, box: { min: [-4, -3], max: [5, 3] } })).toBe(false);
   });
 });

@@ -8,7 +8,7 @@ export type SceneFacts = Readonly<Omit<Scene, 'type' | 'revision'>>;
 /** True where both are the same place, whatever stands in it: the view need not open anew. */
 export function isSameWorld(a: SceneFacts, b: SceneFacts): boolean {
   const corners = ({ box }: SceneFacts): string => [...box.min, ...box.max].join();
-  return a.name === b.name && corners(a) === corners(b);
+  return (a.name === b.name || a.world === b.world) && corners(a) === corners(b);
 }
 
 /** True for what follows a path. */

@@ -8,6 +8,8 @@ type PictureView = Pick<StudioScene, 'stats' | 'wake' | 'worldToScreen'>;
 
 /** So many of the crowd tell where it is. */
 const kSamples = 400;
+/** A picture of what is kept that takes longer is done without [ms]. */
+const kWait = 1500;
 
 /** Calls `take` right after the next picture, while the canvas holds it. */
 export function afterNextPicture(view: PictureView, take: () => void): void {
@@ -41,6 +43,16 @@ export function takePicture(
       small.toBlob(done, 'image/png');
     });
   });
+}
+
+/** Of what is kept: small, and null where it takes too long. */
+export function keptPicture(
+  view: PictureView,
+  canvas: HTMLCanvasElement,
+  crowd: Pick<StudioFrame, 'x' | 'y'> | null = null,
+): Promise<Blob | null> {
+  const late = new Promise<null>((done) => window.setTimeout(() => done(null), kWait));
+  return Promise.race([takePicture(view, canvas, 320, 180, crowd), late]);
 }
 
 /** Where the crowd stands on the canvas [its px]. */

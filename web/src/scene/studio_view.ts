@@ -37,6 +37,8 @@ const kSettle = 700;
 const kEchoWait = 60;
 /** Interval between two checks whether the last picture is finished [ms]. */
 const kRetry = 3;
+/** Where a metre is smaller, nobody sees that a clip's pose is not quite the engine's [CSS px]. */
+const kCloseUp = 7;
 const kNothingMoves: readonly MovingView[] = [];
 
 /** Draws the world with each refresh: controls and meshes of the newest frame, characters between the last two. */
@@ -62,6 +64,7 @@ export class StudioView implements StudioScene {
   private preview_: readonly DraftControl[] = [];
   private moving_: readonly MovingView[] = kNothingMoves;
   private reduced_ = false;
+  private closeUp_ = false;
   private activeGroup_ = -1;
   private membersStale_ = true;
   /** The next picture answers a finger. */
@@ -104,6 +107,11 @@ export class StudioView implements StudioScene {
   get fieldScale(): FieldScale | null {
     return this.overlay_.scale;
   }
+  /** A scene that looks like the one before: its world may have begun again. */
+  keepScene(scene: SceneFacts): void {
+    this.scene_ = scene;
+  }
+
   setScene(scene: SceneFacts): void {
     const anew = !this.scene_ || !isSameWorld(this.scene_, scene);
     this.scene_ = scene;
@@ -149,7 +157,8 @@ export class StudioView implements StudioScene {
 
   attention(): Attention {
     const { targetX, targetY } = this.camera.pose;
-    return { x: targetX, y: targetY, count: this.stage_.wholePoses };
+    this.closeUp_ = this.camera.pixelsPerMetre() > (this.closeUp_ ? kCloseUp : 1.15 * kCloseUp);
+    return { x: targetX, y: targetY, count: this.closeUp_ ? this.stage_.wholePoses : 0 };
   }
 
   setGroupMesh(mesh: ShapeMeshView): void {
@@ -311,7 +320,7 @@ export class StudioView implements StudioScene {
       this.moving_ = blend.to.moving;
       this.stage_.environment.move(blend.from.moving, blend.to.moving, blend.alpha);
       this.stage_.environment.setCollected(blend.to.collected);
-      this.fitter.show(this.crowd_.positions, this.timeline_.newest?.groups ?? []);
+      this.fitter.show(() => this.crowd_.positions, this.timeline_.newest?.groups ?? []);
     }
     const newest = this.timeline_.newest;
     if (this.orders.update(newest?.groups ?? [])) this.membersStale_ = true;
@@ -337,9 +346,10 @@ export class StudioView implements StudioScene {
     const colours = this.orders.colours;
     const accents = colours.map((colour) => (greyed ? this.palette_.grey : accentColour(this.palette_, colour)));
     if (this.membersStale_) this.dress(colours, greyed);
-    this.groups_.showMeshes(this.stage_.meshes, this.layers_.mesh, accents);
-    this.groups_.showPlaces(this.stage_.places, this.layers_.places, accents, now);
-    for (const layer of [this.stage_.meshes, this.stage_.places]) layer.setScale(this.camera.pixelsPerMetre());
+    const { meshes, places } = this.stage_;
+    for (const layer of [meshes, places]) layer.setScale(this.camera.pixelsPerMetre());
+    this.groups_.showMeshes(meshes, this.layers_.mesh, accents);
+    this.groups_.showPlaces(places, this.layers_.places && places.seen, accents, now);
     if (this.stage_.environment.reveal(this.crowd_, this.camera)) this.wake();
     this.stage_.crowd.update(this.crowd_, blend, this.camera);
     this.stage_.render(this.camera, this.stats);

@@ -77,7 +77,7 @@ export async function chosenPart(studio) {
     'only of whom and when it was asked for',
   );
   await studio.page.locator('.export-begin').press('Escape');
-  await studio.until('the end of the export', () => !document.querySelector('.export-dialog').open);
+  await studio.until('the end of the export', () => !document.querySelector('.export-dialog[open]'));
 }
 
 /** Nobody is in the choice: it is said before anything is made. */

@@ -9,7 +9,7 @@ const cursorOf = (studio) => studio.page.evaluate(() => globalThis.__muster.view
 const ordersOf = async (studio, index = 0) => (await studio.frame()).groups[index].orders;
 
 /** Presses arrows until the cursor is as near to a spot as its steps allow. */
-async function go(studio, to) {
+export async function go(studio, to) {
   const { keyboard } = studio.page;
   const from = await cursorOf(studio);
   const turn = await studio.page.evaluate(() => globalThis.__muster.view.camera.pose.turn);

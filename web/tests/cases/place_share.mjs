@@ -56,6 +56,22 @@ export async function keptByName(studio, server) {
   }
 }
 
+/** The crowd of a place that ships goes on to be drawn when the place is shared. */
+export async function crowdOfAShared(studio) {
+  const triangles = () => studio.page.evaluate(() => globalThis.__muster.view.stats.triangles);
+  const before = await triangles();
+  await openPlaces(studio, 'Save this place');
+  await dialogOf(studio).getByRole('button', { name: 'Share…' }).click();
+  await studio.page.locator('.share-dialog').waitFor();
+  await studio.page.keyboard.press('Escape');
+  await studio.page.keyboard.press('Escape');
+  await studio.until('the new name', () => globalThis.__muster.state.scenario.startsWith('places/'));
+  await studio.pictures(3);
+  const after = await triangles();
+  expect(after > 0.8 * before, `people and formations are drawn: ${after} triangles, ${before} before`);
+  await studio.shot('place-shared-crowd');
+}
+
 /** On a studio for the network the link is that of the network, with its code; and by a site, where one is known. */
 export async function sharedByNetwork(studio) {
   await savePlace(studio, 'Our yard');

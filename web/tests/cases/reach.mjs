@@ -289,7 +289,7 @@ async function exportKeepsFocus(studio) {
   const inside = await studio.page.evaluate(() => document.activeElement.closest('.export-dialog') !== null);
   expect(inside, 'after an export the focus is in its dialog');
   await studio.page.keyboard.press('Escape');
-  await studio.until('the end of the export', () => !document.querySelector('.export-dialog').open);
+  await studio.until('the end of the export', () => !document.querySelector('.export-dialog[open]'));
 }
 
 const kAllSizes = ['wide', 'landscape', 'tablet', 'portrait', 'phone'];

@@ -200,6 +200,29 @@ export async function brokenRuns(browser, size) {
   });
 }
 
+/** A screen without touch: the card before a part by fingers says so, and one can start all the same. */
+export async function withoutTouch(browser, size) {
+  await withStudy(async ({ server }) => {
+    for (const colorScheme of ['light', 'dark']) {
+      const person = await StudyPerson.open(browser, server.url, { size, colorScheme, touch: false });
+      await toFirstTrial(person);
+      expect((await person.state()).touch, 'the first part is done with fingers');
+      const { page } = person;
+      const warning = page.locator('.study-card .study-warning');
+      expect(/this screen takes no touches/.test(await warning.textContent()), 'the card says what is missing');
+      await person.shot(`no-touch-${colorScheme}`);
+      await serious(person, 'card where there is no touch');
+      const box = await page.getByRole('button', { name: 'Start all the same', exact: true }).boundingBox();
+      const { height } = page.viewportSize();
+      expect(box.y + box.height <= height, `the button is in sight: it ends at ${box.y + box.height} of ${height}`);
+      await page.getByRole('button', { name: 'Start all the same', exact: true }).click();
+      await person.untilStage(kStage.trial);
+      expect(person.errors.length === 0, `the page complained: ${person.errors.join('; ')}`);
+      await person.close();
+    }
+  });
+}
+
 export async function look(browser, size) {
   await withStudy(async ({ server, db }) => {
     for (const colorScheme of ['light', 'dark']) {

@@ -4,8 +4,9 @@
  * other at the end. */
 export function chosenCases(cases, words) {
   const at = words.indexOf('--only');
-  const only = at > 0 ? words[at + 1] : '';
-  const everything = words.includes('--all');
+  const stats = words.includes('--stats');
+  const only = at > 0 ? words[at + 1] : stats ? 'stats: ' : '';
+  const everything = stats || words.includes('--all');
   const sizesNow = (sizes, { release, everySize }) => {
     if (everything || everySize) return sizes;
     return release ? [] : sizes.slice(0, 1);

@@ -24,9 +24,10 @@ export class StudioPage extends DrivenPage {
   static async open(
     browser,
     url,
-    { size = 'desktop', touch = true, colorScheme = 'light', hint = false, counts = false } = {},
+    { size = 'desktop', touch = true, colorScheme = 'light', hint = false, counts = false, ratio = 1 } = {},
   ) {
-    const context = await browser.newContext({ viewport: kSizes[size], colorScheme, hasTouch: touch });
+    const screen = { viewport: kSizes[size], deviceScaleFactor: ratio };
+    const context = await browser.newContext({ ...screen, colorScheme, hasTouch: touch });
     const page = await context.newPage();
     const studio = new StudioPage(context, page, size);
     page.on('pageerror', (error) => studio.errors.push(error.message));

@@ -21,8 +21,8 @@ export const kStage = {
 };
 
 export class StudyPerson extends DrivenPage {
-  static async open(browser, url, { size = 'wide', colorScheme = 'light' } = {}) {
-    const context = await browser.newContext({ viewport: kSizes[size], colorScheme, hasTouch: true });
+  static async open(browser, url, { size = 'wide', colorScheme = 'light', touch = true } = {}) {
+    const context = await browser.newContext({ viewport: kSizes[size], colorScheme, hasTouch: touch });
     const page = await context.newPage();
     const person = new StudyPerson(context, page, size);
     page.on('pageerror', (error) => person.errors.push(error.message));
@@ -31,7 +31,7 @@ export class StudyPerson extends DrivenPage {
         person.errors.push(message.text());
     });
     const cdp = await context.newCDPSession(page);
-    await cdp.send('Emulation.setTouchEmulationEnabled', { enabled: true, maxTouchPoints: 10 });
+    if (touch) await cdp.send('Emulation.setTouchEmulationEnabled', { enabled: true, maxTouchPoints: 10 });
     person.fingers = new Fingers(cdp);
     // The items of each trial, for the test to aim at.
     await page.addInitScript(() => {

@@ -144,10 +144,15 @@ Status Session::Impl::beginFor(std::uint32_t id, protocol::WorldChange change,
     return status;
 }
 
-// Fingers let go: the pages forget them with the world that they see.
-void Session::Impl::park() {
+// The world from which a take is opened waits beneath it, and beneath those that are opened over it. Any
+// other world waits where others share it. Fingers let go: the pages forget them with the world that they
+// see.
+void Session::Impl::park(bool forTake) {
     parked.reset();
-    if (!world || greetedClients() < 2) return;
+    if (!forTake) beneath.reset();
+    if (!world) return;
+    const bool beneathTake = forTake && !player;
+    if (!beneathTake && greetedClients() < 2) return;
     ParkedWorld kept;
     kept.name = name;
     kept.def = worldDef;
@@ -181,14 +186,26 @@ void Session::Impl::park() {
     kept.demonstratedUntil = demonstratedUntil;
     editor = {};
     log = {};
-    parked = std::move(kept);
+    (beneathTake ? beneath : parked) = std::move(kept);
 }
 
 Status Session::Impl::goBack(std::uint32_t id) {
+    if (!parked && player) return leaveTake(id, true);
     if (!parked) return {StatusCode::NotFound, "there is no world to go back to"};
     ParkedWorld back = std::move(*parked);
     return beginFor(id, protocol::WorldChange::WentBack, [&] {
         if (!back.takenBytes.empty()) return reopen(back);
+        bringBack(back);
+        return Status();
+    });
+}
+
+// A recording that the take has ended has been kept; `records` begins another one.
+Status Session::Impl::leaveTake(std::uint32_t id, bool records) {
+    if (!player || !beneath) return {StatusCode::NotFound, "there is no world to go back to"};
+    ParkedWorld back = std::move(*beneath);
+    back.recording = back.recording && records;
+    return beginFor(id, protocol::WorldChange::WentBack, [&] {
         bringBack(back);
         return Status();
     });
@@ -199,10 +216,16 @@ Status Session::Impl::reopen(const ParkedWorld& back) {
     player->edit(back.takeAbout, back.takeLoops);
     showEdits(back.takeAbout.edits);
     player->want(back.takeStep);
-    playing = back.playing && shared.builders.empty();
-    speed = back.speed;
+    goOnAs(back);
     touchTake();
     return {};
+}
+
+// It runs as it ran; where somebody builds, when they have done.
+void Session::Impl::goOnAs(const ParkedWorld& back) {
+    playing = back.playing && shared.builders.empty();
+    shared.goesOn = back.playing && !shared.builders.empty();
+    speed = back.speed;
 }
 
 void Session::Impl::bringBack(ParkedWorld& back) {
@@ -224,17 +247,16 @@ void Session::Impl::bringBack(ParkedWorld& back) {
         client.steers = true;
     }
     if (back.recording) beginRecording(back.recordedAbout.from, back.recordedAbout.title, nullptr);
-    playing = back.playing && shared.builders.empty();
-    shared.goesOn = back.playing && !shared.builders.empty();
-    speed = back.speed;
+    goOnAs(back);
     editor.touch(before);
     refreshScene();
 }
 
 void Session::Impl::sendShared(SessionClient& client) {
     if (client.sentShared == shared.revision) return;
+    const ParkedWorld* before = parked ? &*parked : player && beneath ? &*beneath : nullptr;
     const bool nothing = shared.pausedBy == 0 && shared.builders.empty() &&
-                         shared.change == protocol::WorldChange::None && !parked;
+                         shared.change == protocol::WorldChange::None && before == nullptr;
     const bool first = client.sentShared == 0;
     client.sentShared = shared.revision;
     if (first && nothing) return;  // A client takes for granted that there is nothing.
@@ -244,7 +266,7 @@ void Session::Impl::sendShared(SessionClient& client) {
     message.change = shared.change;
     message.changedBy = numberOf(shared.changedBy);
     message.changer = shared.changer;
-    message.before = parked ? parked->def.name : std::string();
+    message.before = before != nullptr ? before->def.name : std::string();
     client.outbox.push_back(protocol::encode(message));
 }
 

@@ -270,7 +270,11 @@ Status Session::Impl::editTake(const protocol::EditTake& message) {
 
 void Session::Impl::sendTake(SessionClient& client) {
     if (client.sentTake != takeRevision) {
-        if (player) client.outbox.push_back(protocol::encode(player->state()));
+        if (player) {
+            protocol::TakeState state = player->state();
+            if (beneath) state.beneath = beneath->def.name;
+            client.outbox.push_back(protocol::encode(state));
+        }
         if (!player && client.sentTake != 0) client.outbox.push_back(protocol::encode(protocol::TakeState{}));
         client.sentTake = takeRevision;
         client.sentReady = 0;
@@ -294,6 +298,7 @@ Status Session::Impl::takeAgain(bool keep, SessionClient& client) {
     const std::uint32_t now = world->stepCount();
     const std::size_t submitted = taken->cursor().command;
     touchTake();
+    beneath.reset();
     log.resume(take, now, submitted, !keep, def.limits.takeBytes);
     fullReported = false;
     takenBytes.clear();

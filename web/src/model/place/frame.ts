@@ -14,6 +14,15 @@ export interface Frame {
   readonly width: number;
 }
 
+/** Lengths and widths of cars [m]. */
+const kCar = { longLeast: 2.8, longMost: 7, wideLeast: 1.3, wideMost: 2.6 };
+
+/** True where something with such sides [m] has the size of a car. */
+export function isCarSized(a: number, b: number): boolean {
+  const [long, short] = [Math.max(a, b), Math.min(a, b)];
+  return long >= kCar.longLeast && long <= kCar.longMost && short >= kCar.wideLeast && short <= kCar.wideMost;
+}
+
 /** How far the corners reach along a direction: from, to. */
 export function reachAlong(polygon: readonly Vec2[], [ux, uy]: Vec2): readonly [number, number] {
   const all = polygon.map(([x, y]) => x * ux + y * uy);

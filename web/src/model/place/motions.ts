@@ -3,7 +3,7 @@
 
 import type { Vec2 } from '../../protocol/generated/commands';
 import { convexHull } from '../plane';
-import { frameOf, reachAlong, resized, stretched } from './frame';
+import { frameOf, isCarSized, reachAlong, resized, stretched } from './frame';
 import { gateOf } from './gates';
 import { thing, type Thing } from './things';
 
@@ -57,7 +57,7 @@ function nameOfObstacle(one: Thing): string {
   if (one.polygon === null) return 'Pillar';
   if (gateOf(one)) return 'Gate';
   const { length, width } = frameOf(one.polygon);
-  if (one.path) return length > 2.8 && length < 7 && width > 1.3 && width < 2.6 ? 'Car' : 'Mover';
+  if (one.path) return isCarSized(length, width) ? 'Car' : 'Mover';
   return Math.min(length, width) < 0.2 * Math.max(length, width) ? 'Wall' : 'Block';
 }
 

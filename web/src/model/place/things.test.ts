@@ -161,6 +161,7 @@ describe('things of a place', () => {
     expect(hit(all, { x: 1, y: 1 }, 0.1)?.kind).toBe('item');
     expect(hit(all, { x: 1.8, y: 0.2 }, 0.1)?.id).toBe(1);
     expect(hit(all, { x: 2.2, y: 2.2 }, 0.5)?.id).toBe(1);
+    expect(hit(all, { x: 2.2, y: 1 }, 0.5)?.id).toBe(1); // Beside a side, far from corners.
     expect(hit(all, { x: 15, y: 15 }, 0.5)).toBeNull();
     const loop = [
       { x: -1, y: -1 },

@@ -17,7 +17,7 @@ import type { GroupBody, GroupBodyEdit } from '../../protocol/messages';
 import type { AreaKindWord } from '../../protocol/generated/words';
 import { isMoving, type SceneFacts } from '../../protocol/scene';
 import { withChosen } from '../accent';
-import { distance, insidePolygon, type GroundPoint } from '../plane';
+import { distance, distanceToSegment, insidePolygon, type GroundPoint } from '../plane';
 import type { FormationWords } from '../sequence';
 import { sortOf } from './people';
 
@@ -289,8 +289,15 @@ export function hit(things: readonly Thing[], p: GroundPoint, reach: number): Th
       : distance(p, { x: one.centre[0], y: one.centre[1] }) <= Math.max(one.radius, reach);
     if (inside) return one;
   }
-  const near = things.find((one) => outlineOf(one).some((corner) => distance(corner, p) <= reach));
-  return near ?? null;
+  const near = things.map((one) => ({ one, far: farFrom(outlineOf(one), p) }));
+  const nearest = near.reduce<(typeof near)[0] | null>((best, it) => (best && best.far <= it.far ? best : it), null);
+  return nearest && nearest.far <= reach ? nearest.one : null;
+}
+
+/** How far a point lies from an outline [m]. */
+function farFrom(outline: readonly GroundPoint[], p: GroundPoint): number {
+  const sides = outline.map((a, k) => distanceToSegment(p, a, outline[(k + 1) % outline.length]!));
+  return Math.min(Infinity, ...sides);
 }
 
 /** Those whose middle lies in the polygon. */

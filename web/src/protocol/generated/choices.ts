@@ -12,6 +12,7 @@ export const PlaybackAction = {
   Restart: 3,
   Demonstrate: 4,
   GoBack: 5,
+  LeaveTake: 6,
 } as const;
 export type PlaybackAction = (typeof PlaybackAction)[keyof typeof PlaybackAction];
 

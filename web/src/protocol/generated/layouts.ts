@@ -52,7 +52,7 @@ export const kPartLayouts: Readonly<Record<string, string>> = {
 export const kClientLayouts: readonly (readonly [string, string])[] = [
   ['Hello', 'name:text'],
   ['Touches', 'events:TouchEvent*'],
-  ['Playback', 'action:<6'],
+  ['Playback', 'action:<7'],
   ['SetSpeed', 'factor:f32'],
   ['LoadScenario', 'name:text'],
   ['Record', 'on:bool'],
@@ -102,7 +102,7 @@ export const kServerLayouts: readonly (readonly [string, string])[] = [
   ['TakePath', 'group:u32 character:u32 spacing:u32 points:f32s'],
   ['EditHistory', 'undo:u32 undoLabel:text redo:u32 redoLabel:text edited:bool'],
   ['Forecasts', 'number:u32 answers:ForecastFrame*'],
-  ['TakeState', 'open:bool name:text title:text steps:u32 stepTime:f64 from:u32 to:u32 loop:bool stored:bool speeds:SpeedPiece* marks:TakeMark*'],
+  ['TakeState', 'open:bool name:text title:text steps:u32 stepTime:f64 from:u32 to:u32 loop:bool stored:bool speeds:SpeedPiece* marks:TakeMark* beneath:text'],
   ['TakeReady', 'steps:u32'],
   ['TakeKept', 'name:text seconds:f64 scenario:text'],
   ['Directors', 'directors:DirectorFrame*'],

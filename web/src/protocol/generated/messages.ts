@@ -560,7 +560,7 @@ export interface Touches {
   events: TouchEvent[];
 }
 
-/** Play, pause, one step, from the start, from the start with the touches that the scenario carries, or back to the world before. */
+/** Play, pause, one step, from the start, from the start with the touches that the scenario carries, back to the world before, or to the one from which the take was opened. */
 export interface Playback {
   type: 'Playback';
   action: PlaybackAction;
@@ -1026,6 +1026,8 @@ export interface TakeState {
   stored: boolean;
   speeds: SpeedPiece[];
   marks: TakeMark[];
+  /** Title of the world from which it was opened, which LeaveTake brings back; empty: there is none. */
+  beneath: string;
 }
 
 /** How far the open take has been read: seeks up to there are quick. */

@@ -2,7 +2,7 @@
 // pose.
 
 import type { CameraControls, CameraPose, GroundSight, Padding, SeenGround } from './camera_controls';
-import { groundMatrix, type Basis } from './ground_matrix';
+import { basisOf, groundMatrix, type Basis } from './ground_matrix';
 import type { GroundPoint, ScreenPoint } from '../../model/plane';
 import type { SceneBox } from '../../protocol/messages';
 
@@ -35,6 +35,8 @@ export class CameraController implements CameraControls, GroundSight {
   private flat_ = false;
   private glide_: { from: CameraPose; to: CameraPose; start: number; duration: number } | null = null;
   private placed_ = false;
+  /** The axes of the last pose that somebody asked for. */
+  private basis_ = { of: { ...this.pose_ }, basis: basisOf(this.pose_) };
 
   get pose(): Readonly<CameraPose> {
     return this.pose_;
@@ -338,18 +340,12 @@ export class CameraController implements CameraControls, GroundSight {
 
   /** Eye and axes, all in world coordinates with z up. */
   basis(): Basis {
+    const { of, basis } = this.basis_;
     const { targetX, targetY, distance, turn, pitch } = this.pose_;
-    const sinTurn = Math.sin(turn);
-    const cosTurn = Math.cos(turn);
-    const sinPitch = Math.sin(pitch);
-    const cosPitch = Math.cos(pitch);
-    const forward = [-sinTurn * cosPitch, cosTurn * cosPitch, -sinPitch] as const;
-    return {
-      eye: [targetX - forward[0] * distance, targetY - forward[1] * distance, -forward[2] * distance],
-      forward,
-      right: [cosTurn, sinTurn, 0],
-      up: [-sinTurn * sinPitch, cosTurn * sinPitch, cosPitch],
-    };
+    const moved = of.targetX !== targetX || of.targetY !== targetY || of.distance !== distance;
+    if (!moved && of.turn === turn && of.pitch === pitch) return basis;
+    this.basis_ = { of: { ...this.pose_ }, basis: basisOf(this.pose_) };
+    return this.basis_.basis;
   }
 
   private screenBox(points: readonly GroundPoint[]): { minX: number; minY: number; maxX: number; maxY: number } {

@@ -1,4 +1,6 @@
-// A camera's view of the ground as one matrix.
+// A camera's axes, and its view of the ground as one matrix.
+
+import type { CameraPose } from './camera_controls';
 
 /** Eye and axes of a camera in world coordinates, z up. */
 export interface Basis {
@@ -6,6 +8,21 @@ export interface Basis {
   readonly forward: readonly [number, number, number];
   readonly right: readonly [number, number, number];
   readonly up: readonly [number, number, number];
+}
+
+/** Of that pose. */
+export function basisOf({ targetX, targetY, distance, turn, pitch }: CameraPose): Basis {
+  const sinTurn = Math.sin(turn);
+  const cosTurn = Math.cos(turn);
+  const sinPitch = Math.sin(pitch);
+  const cosPitch = Math.cos(pitch);
+  const forward = [-sinTurn * cosPitch, cosTurn * cosPitch, -sinPitch] as const;
+  return {
+    eye: [targetX - forward[0] * distance, targetY - forward[1] * distance, -forward[2] * distance],
+    forward,
+    right: [cosTurn, sinTurn, 0],
+    up: [-sinTurn * sinPitch, cosTurn * sinPitch, cosPitch],
+  };
 }
 
 /** Nine numbers by rows: from (x, y, 1) on the ground [m] to homogeneous px. `lens`: px per tangent of an angle. */

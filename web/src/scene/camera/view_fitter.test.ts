@@ -17,11 +17,11 @@ function opened(): { camera: CameraController; fitter: ViewFitter } {
 describe('ViewFitter', () => {
   it('opens a world on its crowd, once', () => {
     const { camera, fitter } = opened();
-    fitter.show(kCrowd, []);
+    fitter.show(() => kCrowd, []);
     const pose = { ...camera.pose };
     expect(Math.abs(pose.targetX - 22)).toBeLessThan(8);
     fitter.show(
-      kCrowd.map((x) => -x),
+      () => kCrowd.map((x) => -x),
       [],
     );
     expect(camera.pose).toEqual(pose);
@@ -31,7 +31,7 @@ describe('ViewFitter', () => {
     const { camera, fitter } = opened();
     const pose = { targetX: -10, targetY: 5, distance: 30, turn: 0.5, pitch: 0.8 };
     camera.glideToPose(pose, 0, 0);
-    fitter.show(kCrowd, []);
+    fitter.show(() => kCrowd, []);
     camera.update(1);
     expect(camera.pose.targetX).toBeCloseTo(-10, 9);
     expect(camera.pose.distance).toBeCloseTo(30, 9);
@@ -41,7 +41,7 @@ describe('ViewFitter', () => {
     const { camera, fitter } = opened();
     camera.glideToPose({ targetX: -10, targetY: 5, distance: 30, turn: 0.5, pitch: 0.8 }, 0, 0);
     fitter.open(kScene);
-    fitter.show(kCrowd, []);
+    fitter.show(() => kCrowd, []);
     expect(Math.abs(camera.pose.targetX - 22)).toBeLessThan(8);
   });
 });

@@ -52,8 +52,9 @@ export class ViewFitter {
 
   /** Fits the view to the crowd, its orders and the obstacles near it, with the first frame that has a crowd, unless
    * something else has brought the view to a pose by then: a film camera, say, before the first picture. */
-  show(positions: Numbers, groups: readonly GroupView[]): void {
+  show(places: () => Numbers, groups: readonly GroupView[]): void {
     if (this.opened_ || this.camera_.width < 2) return;
+    const positions = places();
     const crowd = crowdOutline(positions, groups, 0);
     if (crowd.length === 0) return;
     this.opened_ = true;

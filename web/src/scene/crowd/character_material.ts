@@ -22,6 +22,8 @@ export class CharacterUniforms {
   readonly uSkins = { value: kSkins.map((hex) => new Color(hex)) };
   readonly uHairs = { value: kHairs.map((hex) => new Color(hex)) };
   readonly uClasses = { value: kClassColours.map((hex) => new Color(hex)) };
+  /** CSS px of a metre at the distance of one metre. */
+  readonly uLens = { value: 1 };
   readonly uGreyed = { value: 0 };
   /** Cloth of trousers: light where the ground is dark. */
   readonly uTrousers = { value: new Color() };

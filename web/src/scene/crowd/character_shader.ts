@@ -1,18 +1,19 @@
 // Shader code that poses a body by linear blending of its joints and places it in the world.
 //
-// Per character: aWho (its number in the crowd; row of a whole pose of its own, or -1). Everything else lies in
+// Per character: aWho (its number in the crowd; above it the row of a whole pose of its own, from 1 on). All else lies in
 // textures: uFrom and uTo, two frames as StudioFrame.rows has them; uMembers (shirt, and skin, hair and whether it is
 // never greyed as one number; size, class, radius); uClips (first pose, poses, whether cyclic; disc of shade).
 
 import { kRowsAcross } from '../../model/studio_frame';
 import { kClassColours } from '../../model/roles';
+import { kWhoBits } from '../drawing/instance_list';
 import { kPosesAcross } from './clips/pose_texture';
 import { kChosen } from './crowd_textures';
 import { kJump } from './crowd_state';
 
 /** Where a character is in this moment, and what it plays. */
 export const kCharacterNow = `
-attribute vec2 aWho;
+attribute uint aWho;
 uniform highp sampler2D uFrom;
 uniform highp sampler2D uTo;
 uniform highp sampler2D uMembers;
@@ -21,8 +22,11 @@ uniform float uAlpha;
 
 struct Person { vec2 at; float heading; float size; float fade; int clip; float phase; int before; float beforePhase; };
 
-ivec2 rowOf(float who) {
-  int i = int(who + 0.5);
+int who() {
+  return int(aWho & ${2 ** kWhoBits - 1}u);
+}
+
+ivec2 rowOf(int i) {
   return ivec2(2 * (i % ${kRowsAcross}), i / ${kRowsAcross});
 }
 
@@ -35,7 +39,7 @@ float phaseBetween(float clip, float from, float to, float t) {
 }
 
 Person personShown() {
-  ivec2 row = rowOf(aWho.x);
+  ivec2 row = rowOf(who());
   vec4 a = texelFetch(uFrom, row, 0);
   vec4 b = texelFetch(uTo, row, 0);
   vec4 playedA = texelFetch(uFrom, row + ivec2(1, 0), 0);
@@ -74,6 +78,9 @@ vec3 gNow;
 vec3 gBefore;
 float gFade;
 float gSize;
+// 1 where a character is so small that only the group's colour is told; nearer ones come to that by and by.
+float gAfar;
+uniform float uLens;
 
 vec3 momentOf(int clip, float phase) {
   vec4 span = texelFetch(uClips, ivec2(0, clip), 0);
@@ -103,7 +110,8 @@ Bone posedBone(int joint) {
 #ifdef LIGHT
   return boneOf(uBaked, gNow.z < 0.5 ? gNow.x : gNow.y, joint);
 #else
-  if (aWho.y >= 0.0) return boneOf(uNear, aWho.y, joint);
+  uint whole = aWho >> ${kWhoBits}u;
+  if (whole > 0u) return boneOf(uNear, float(whole) - 1.0, joint);
   Bone now = between(boneOf(uBaked, gNow.x, joint), boneOf(uBaked, gNow.y, joint), gNow.z);
   if (gFade < 0.004) return now;
   return between(now, between(boneOf(uBaked, gBefore.x, joint), boneOf(uBaked, gBefore.y, joint), gBefore.z), gFade);
@@ -129,6 +137,8 @@ Skin posePerson(vec3 p, vec3 n) {
   gBefore = momentOf(one.before, one.beforePhase);
   gFade = one.fade;
   gSize = one.size;
+  float pixels = uLens / max(0.1, -(viewMatrix * vec4(one.at, 0.9, 1.0)).z);
+  gAfar = region > 1.1 && region < 1.5 ? 1.0 : smoothstep(10.0, 5.0, pixels);
   Skin skin = Skin(vec3(0.0), vec3(0.0));
 #ifdef LIGHT
   float both = max(weights.x + weights.y, 1e-4);
@@ -145,6 +155,8 @@ Skin posePerson(vec3 p, vec3 n) {
   float s = sin(one.heading);
   skin.at = vec3(one.at.x + c * skin.at.x - s * skin.at.y, one.at.y + s * skin.at.x + c * skin.at.y, skin.at.z);
   skin.normal = vec3(c * skin.normal.x - s * skin.normal.y, s * skin.normal.x + c * skin.normal.y, skin.normal.z);
+  // Light from above, or the sides that are in shade would make small figures dark.
+  skin.normal += vec3(0.0, 0.0, 1.4 * gAfar);
   return skin;
 }
 `;
@@ -160,21 +172,27 @@ varying vec3 vPerson;
 varying float vGrey;
 
 void colourPerson() {
-  vec4 worn = texelFetch(uMembers, rowOf(aWho.x), 0);
+  vec4 worn = texelFetch(uMembers, rowOf(who()), 0);
   float chosen = step(${kChosen - 0.5}, worn.w);
   int look = int(worn.w + 0.5 - chosen * ${kChosen}.0);
   int skin = look / 5;
   int hair = look - skin * 5;
   // Who is of a class wears a helmet.
-  int unitClass = int(texelFetch(uMembers, rowOf(aWho.x) + ivec2(1, 0), 0).y + 0.5);
-  bool far = region > 1.1 && region < 1.5;
-  // Those far away differ by nothing, legs are in shade.
-  vec3 colour = worn.rgb * (far ? (region > 1.3 ? 0.7 : 1.0) : 0.86 + 0.28 * fract(gSize * 97.31));
+  int unitClass = int(texelFetch(uMembers, rowOf(who()) + ivec2(1, 0), 0).y + 0.5);
+  vec3 crown = unitClass > 0 ? uClasses[(unitClass - 1) % ${kClassColours.length}] : uHairs[hair];
+  vec3 colour = worn.rgb * mix(0.86 + 0.28 * fract(gSize * 97.31), 1.0, gAfar);
+  // Heads stand out from shirts, which are dark on light ground and light on dark ground.
+  float bright = smoothstep(0.2, 0.35, dot(worn.rgb, vec3(0.3, 0.6, 0.1)));
+  vec3 bare = mix(mix(uSkins[skin], vec3(0.9, 0.82, 0.74), 0.55), mix(uSkins[skin], crown, 0.7), bright);
+  vec3 farHead = unitClass > 0 ? crown : bare;
+  vec3 farLegs = worn.rgb * 0.55;
   if (region > 4.5) colour = mix(tint, worn.rgb, 0.3);
-  else if (region > 3.5) colour = vec3(0.8);
-  else if (region > 2.5) colour = unitClass > 0 ? uClasses[(unitClass - 1) % ${kClassColours.length}] : uHairs[hair];
-  else if (region > 1.5) colour = mix(worn.rgb * 0.16, uTrousers, 0.55);
-  else if (region < 0.5) colour = uSkins[skin];
+  else if (region > 3.5) colour = mix(vec3(0.8), farLegs, gAfar);
+  else if (region > 2.5) colour = mix(crown, farHead, gAfar);
+  else if (region > 1.5) colour = mix(mix(worn.rgb * 0.16, uTrousers, 0.55), farLegs, gAfar);
+  else if (region > 1.35) colour = farLegs;
+  else if (region > 1.25) colour = farHead;
+  else if (region < 0.5) colour = mix(uSkins[skin], farHead, gAfar);
   vPerson = colour;
   vGrey = uGreyed * (1.0 - chosen);
 }

@@ -61,7 +61,7 @@ void main() {
   vec2 now = texelFetch(uClips, ivec2(1, one.clip), 0).xy;
   vec2 shape = mix(now, texelFetch(uClips, ivec2(1, one.before), 0).xy, one.fade);
   vShade = shape.y;
-  vec4 body = texelFetch(uMembers, rowOf(aWho.x) + ivec2(1, 0), 0);
+  vec4 body = texelFetch(uMembers, rowOf(who()) + ivec2(1, 0), 0);
   vClass = int(body.y + 0.5);
   vec2 shade = vec2(shape.x, 1.0) * 0.34 * one.size;
   float ring = vClass > 0 ? 1.25 * max(body.z, 0.2) : 0.0;

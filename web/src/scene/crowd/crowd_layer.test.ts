@@ -7,6 +7,7 @@ import { CameraController } from '../camera/camera_controller';
 import { CrowdLayer } from './crowd_layer';
 import { CrowdState } from './crowd_state';
 import type { FrameView } from '../../model/frame_view';
+import { kWhoBits } from '../drawing/instance_list';
 import { paletteOf } from '../drawing/palette';
 import type { Quality } from '../drawing/quality';
 import { madeFrame, type Played } from '../../model/test_frames';
@@ -57,7 +58,8 @@ function slots(layer: CrowdLayer): Map<number, number> {
     const geometry = node.geometry as InstancedBufferGeometry;
     const who = geometry.attributes['aWho'] as InstancedBufferAttribute | undefined;
     if (!who || !geometry.attributes['joints']) return;
-    for (let i = 0; i < geometry.instanceCount; ++i) found.set(who.getX(i), who.getY(i));
+    for (let i = 0; i < geometry.instanceCount; ++i)
+      found.set(who.getX(i) % 2 ** kWhoBits, (who.getX(i) >>> kWhoBits) - 1);
   });
   return found;
 }
@@ -118,7 +120,7 @@ describe('CrowdLayer', () => {
     expect([slots(layer).get(0), slots(layer).get(1)]).toEqual([-1, 0]);
     layer.setOwn({ ...makePlainBody(), name: 'own' }, [{ ...kClips[1]!, poses: 4 }]);
     layer.update(state, blend, camera());
-    expect(layer.drawn).toEqual([{ body: 'own', near: 2, far: 0, tiny: 0 }]);
+    expect(layer.drawn).toEqual([{ body: 'own', near: 2, far: 0, tiny: 0, speck: 0 }]);
     expect(slots(layer).get(1)).toBe(-1);
     layer.setOwn(null);
     layer.update(state, blend, camera());

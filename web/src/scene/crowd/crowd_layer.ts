@@ -26,6 +26,14 @@ const kTrousers = { light: '#1C2128', dark: '#9AA3AD' };
 /** Most whole poses that are shown at once. */
 export const kNearMost = 256;
 
+export interface DrawnPeople {
+  readonly body: string;
+  readonly near: number;
+  readonly far: number;
+  readonly tiny: number;
+  readonly speck: number;
+}
+
 export class CrowdLayer {
   readonly group = new Group();
   private readonly uniforms_ = new CharacterUniforms();
@@ -59,13 +67,14 @@ export class CrowdLayer {
     return this.bank_;
   }
 
-  /** Characters in the last picture by body: fine, coarse and tiny ones. */
-  get drawn(): { readonly body: string; readonly near: number; readonly far: number; readonly tiny: number }[] {
-    return this.dressed_.map(({ body, near, far, tiny }) => ({
+  /** Characters in the last picture by body: fine, coarse and tiny ones, and specks. */
+  get drawn(): readonly DrawnPeople[] {
+    return this.dressed_.map(({ body, near, far, tiny, speck }) => ({
       body: body.name,
       near: near.list.count,
       far: far.list.count,
       tiny: tiny.list.count,
+      speck: speck.list.count,
     }));
   }
 
@@ -152,13 +161,15 @@ export class CrowdLayer {
     } = this;
     const full = this.quality_ === 'full';
     const count = Math.min(state.count, to.x.length);
-    levels.begin(camera);
+    levels.begin(camera, count);
+    this.uniforms_.uLens.value = levels.scale;
     for (let i = 0; i < count; ++i) {
-      const level = levels.levelAt(to.x[i]!, to.y[i]!);
+      const level = levels.levelAt(i, to.x[i]!, to.y[i]!);
       if (level === kHidden) continue;
       const body = dressed[bodyIndex(this.builds_[state.group[i]!], state.body(i, dressed.length), dressed.length)]!;
-      const detail = level === kNear && full ? body.near : level >= kFar ? body.far : body.tiny;
-      detail.list.add(i, full && this.replaced_[to.clip[i]!] !== 1 ? slots[i]! : -1);
+      body
+        .at(level === kNear && !full ? kFar : level)
+        .list.add(i, full && this.replaced_[to.clip[i]!] !== 1 ? slots[i]! : -1);
       discs.list.add(i, -1);
     }
   }

@@ -6,7 +6,7 @@ import { bodyOf, lookOf, sizeOf } from './look';
 import { mix } from '../drawing/blend';
 import type { FrameBlend } from '../../model/frame_timeline';
 import type { FrameView, Numbers } from '../../model/frame_view';
-import { StandingGrid } from './standing_grid';
+import { StandingGrid } from '../../model/standing_grid';
 
 /** A character that moves farther than this between two frames was put elsewhere; its path is not interpolated [m]. */
 export const kJump = 1.5;

@@ -3,9 +3,10 @@
 import type { RigPoses } from './rig_poses';
 import { type BufferGeometry, Group, InstancedBufferGeometry, type Material, Mesh, ShaderMaterial } from 'three';
 import type { Body, BodyPart } from './bodies/body';
-import { makeTinyBody } from './bodies/tiny_body';
+import { makeSpeckBody, makeTinyBody } from './bodies/tiny_body';
 import { type CrowdUniforms, type BodyUniforms, characterDepthMaterial, characterMaterial } from './character_material';
 import { InstanceList } from '../drawing/instance_list';
+import { kFar, kNear, kTiny } from './level_of_detail';
 import type { Quality } from '../drawing/quality';
 
 function instancedMesh(source: BufferGeometry, material: Material): Mesh<InstancedBufferGeometry> {
@@ -47,6 +48,9 @@ class Level {
     for (const mesh of thrown) {
       mesh.customDepthMaterial = characterDepthMaterial(people, body);
       mesh.castShadow = true;
+      // In the picture itself not one of them is drawn.
+      mesh.onBeforeShadow = (): void => void (mesh.geometry.instanceCount = this.list.count);
+      mesh.onBeforeRender = (): void => void (mesh.geometry.instanceCount = 0);
     }
     this.meshes = [...seen, ...thrown];
     this.list = new InstanceList(this.meshes.map((mesh) => mesh.geometry));
@@ -73,6 +77,8 @@ export class DressedBody {
   readonly far: Level;
   /** A few tubes on the same joints, for characters that are small on the screen. */
   readonly tiny: Level;
+  /** Fewer still, for those that are smaller. */
+  readonly speck: Level;
 
   constructor(
     quality: Quality,
@@ -83,24 +89,30 @@ export class DressedBody {
     this.near = new Level(quality, people, poses.uniforms, body.near, quality === 'full' ? body.far : []);
     this.far = new Level(quality, people, poses.uniforms, body.far, []);
     this.tiny = new Level(quality, people, poses.uniforms, [{ geometry: makeTinyBody(body.rig), map: null }], []);
-    this.group.add(...this.near.meshes, ...this.far.meshes, ...this.tiny.meshes);
+    this.speck = new Level(quality, people, poses.uniforms, [{ geometry: makeSpeckBody(body.rig), map: null }], []);
+    for (const level of this.levels()) this.group.add(...level.meshes);
+  }
+
+  /** What draws it at that level of detail. */
+  at(level: number): Level {
+    if (level === kNear) return this.near;
+    if (level === kFar) return this.far;
+    return level === kTiny ? this.tiny : this.speck;
   }
 
   begin(most: number): void {
-    this.near.list.begin(most);
-    this.far.list.begin(most);
-    this.tiny.list.begin(most);
+    for (const level of this.levels()) level.list.begin(most);
   }
 
   end(): void {
-    this.near.end();
-    this.far.end();
-    this.tiny.end();
+    for (const level of this.levels()) level.end();
   }
 
   dispose(): void {
-    this.near.dispose();
-    this.far.dispose();
-    this.tiny.dispose();
+    for (const level of this.levels()) level.dispose();
+  }
+
+  private levels(): readonly Level[] {
+    return [this.near, this.far, this.tiny, this.speck];
   }
 }

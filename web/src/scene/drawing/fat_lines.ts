@@ -74,12 +74,15 @@ export interface FatLinesDef {
   readonly dash?: number;
   /** Draw where bodies hide the line instead. */
   readonly behind?: boolean;
+  /** Has lines at the same places, in other tints; only those are set here. Reserve room in that one first. */
+  readonly as?: FatLines;
   readonly renderOrder: number;
 }
 
 export class FatLines {
   readonly mesh: Mesh<InstancedBufferGeometry, ShaderMaterial>;
   private readonly width_: number;
+  private readonly as_: FatLines | null;
   private capacity_ = 0;
   private count_ = 0;
   private from_ = new Float32Array(0);
@@ -90,6 +93,7 @@ export class FatLines {
 
   constructor(def: FatLinesDef) {
     this.width_ = def.width;
+    this.as_ = def.as ?? null;
     const material = new ShaderMaterial({
       vertexShader: kVertex,
       fragmentShader: kFragment,
@@ -146,10 +150,11 @@ export class FatLines {
       attribute.setUsage(DynamicDrawUsage);
       return attribute;
     };
-    geometry.setAttribute('from', own(this.from_, 3));
-    geometry.setAttribute('to', own(this.to_, 3));
+    const others = this.as_?.mesh.geometry.attributes;
+    geometry.setAttribute('from', others?.['from'] ?? own(this.from_, 3));
+    geometry.setAttribute('to', others?.['to'] ?? own(this.to_, 3));
     geometry.setAttribute('tint', own(this.tints_, 4));
-    geometry.setAttribute('along', own(this.along_, 2));
+    geometry.setAttribute('along', others?.['along'] ?? own(this.along_, 2));
   }
 
   setLine(index: number, ax: number, ay: number, az: number, bx: number, by: number, bz: number, along = 0): void {
@@ -175,11 +180,13 @@ export class FatLines {
   /** Hands the lines to the GPU. */
   flush(tints: boolean): void {
     const attributes = this.mesh.geometry.attributes;
-    for (const name of ['from', 'to', 'along']) {
+    if (tints && attributes['tint']) attributes['tint'].needsUpdate = true;
+    if (this.as_) return;
+    const dashed = (this.mesh.material.uniforms['uDash'] as { value: number }).value > 0;
+    for (const name of dashed ? ['from', 'to', 'along'] : ['from', 'to']) {
       const attribute = attributes[name];
       if (attribute) attribute.needsUpdate = true;
     }
-    if (tints && attributes['tint']) attributes['tint'].needsUpdate = true;
   }
 
   dispose(): void {

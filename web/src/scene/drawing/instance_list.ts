@@ -1,11 +1,14 @@
-// Characters drawn at once: for each its number in the crowd and the row of a whole pose, or -1.
+// Characters drawn at once: for each its number in the crowd and the row of a whole pose, or -1, in one number.
 
 import { DynamicDrawUsage, InstancedBufferAttribute, type InstancedBufferGeometry } from 'three';
 import { forgetInstances } from './instances';
 
+/** Bits of the number in the crowd; above them is the row, from 1 on. */
+export const kWhoBits = 20;
+
 export class InstanceList {
   count = 0;
-  private data_ = new Float32Array(0);
+  private data_ = new Uint32Array(0);
   private attribute_: InstancedBufferAttribute | null = null;
 
   /** `geometries` are all drawn with these. */
@@ -14,9 +17,9 @@ export class InstanceList {
   /** Empties the list and grows it to hold `most` entries. */
   begin(most: number): void {
     this.count = 0;
-    if (2 * most <= this.data_.length) return;
-    this.data_ = new Float32Array(2 * Math.ceil(1.3 * most));
-    this.attribute_ = new InstancedBufferAttribute(this.data_, 2);
+    if (most <= this.data_.length) return;
+    this.data_ = new Uint32Array(Math.ceil(1.3 * most));
+    this.attribute_ = new InstancedBufferAttribute(this.data_, 1);
     this.attribute_.setUsage(DynamicDrawUsage);
     for (const geometry of this.geometries_) {
       forgetInstances(geometry);
@@ -25,9 +28,7 @@ export class InstanceList {
   }
 
   add(who: number, slot: number): void {
-    this.data_[2 * this.count] = who;
-    this.data_[2 * this.count + 1] = slot;
-    this.count += 1;
+    this.data_[this.count++] = who | ((slot + 1) << kWhoBits);
   }
 
   /** Sends what was written. */
@@ -35,7 +36,7 @@ export class InstanceList {
     for (const geometry of this.geometries_) geometry.instanceCount = this.count;
     if (!this.attribute_ || this.count === 0) return;
     this.attribute_.clearUpdateRanges();
-    this.attribute_.addUpdateRange(0, 2 * this.count);
+    this.attribute_.addUpdateRange(0, this.count);
     this.attribute_.needsUpdate = true;
   }
 }

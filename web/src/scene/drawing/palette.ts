@@ -139,7 +139,7 @@ const kDark: Palette = {
   glass: '#10151A',
   grey: '#6C737B',
   accents: { blue: '#74A9FF', ember: '#FF8A4C', green: '#90FBC9', plum: '#AC6BAA', ochre: '#FBE24F', slate: '#B7BCC2' },
-  ramp: ['#D6D4AA', '#82B185', '#238881', '#17566E', '#1E2744'],
+  ramp: ['#1E2744', '#17566E', '#238881', '#82B185', '#D6D4AA'],
   sun: 1.9,
   sky: 1.5,
 };

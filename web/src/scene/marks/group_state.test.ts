@@ -13,7 +13,7 @@ class FakeRings {
     this.room = count;
   }
   setTint(): void {}
-  add(_x: number, _y: number, _radius: number, style: number): void {
+  add(_x: number, _y: number, style: number): void {
     this.styles.push(style);
   }
   end(): void {}

@@ -6,8 +6,6 @@ import { type PlaceLayer, kRing } from './place_layer';
 import type { MeshLayer, ShownMesh } from './mesh_layer';
 import { makeTopology, type MeshTopology } from './mesh_topology';
 
-/** Places are rings of this radius [m]. */
-const kPlaceRadius = 0.24;
 const kPlaceAlpha = 0.5;
 const kComingAlpha = 0.95;
 /** New places are dashed for this long: a formation appears before the crowd has taken it [ms]. */
@@ -59,7 +57,7 @@ export class GroupState {
 
   /** Hands the meshes to their layer, less those whose shape has not come yet; `accents` are the groups' colours. */
   showMeshes(layer: MeshLayer, visible: boolean, accents: readonly string[]): void {
-    const wanted = { groups: this.groups_, key: `${visible}:${this.meshes_}:${accents.join()}` };
+    const wanted = { groups: this.groups_, key: `${visible}:${layer.insideSeen}:${this.meshes_}:${accents.join()}` };
     if (isSame(this.shownMeshes_, wanted)) return;
     this.shownMeshes_ = wanted;
     const shown: ShownMesh[] = [];
@@ -86,7 +84,7 @@ export class GroupState {
         const [standing, alpha] = coming[index] ? [kRing.dashed, kComingAlpha] : [kRing.whole, kPlaceAlpha];
         for (let i = 0; i + 1 < places.length; i += 2) {
           const fits = (fit[i / 2] ?? 1) !== 0;
-          rings.add(places[i] ?? 0, places[i + 1] ?? 0, kPlaceRadius, fits ? standing : kRing.crossed, alpha);
+          rings.add(places[i] ?? 0, places[i + 1] ?? 0, fits ? standing : kRing.crossed, alpha);
         }
       });
     }

@@ -31,12 +31,13 @@ export interface ShownMesh {
 export class MeshLayer {
   readonly group = new Group();
   private readonly inside_ = new FatLines({ width: 1, renderOrder: 4 });
-  private readonly insideBehind_ = new FatLines({ width: 1, renderOrder: 4, behind: true });
+  private readonly insideBehind_ = new FatLines({ width: 1, renderOrder: 4, behind: true, as: this.inside_ });
   private readonly rim_ = new FatLines({ width: 2, renderOrder: 4 });
-  private readonly rimBehind_ = new FatLines({ width: 2, renderOrder: 4, behind: true });
+  private readonly rimBehind_ = new FatLines({ width: 2, renderOrder: 4, behind: true, as: this.rim_ });
   private readonly fill_ = new Mesh(new BufferGeometry(), fillMaterial());
   private built_: readonly ShownMesh[] = [];
   private positions_ = new Float32Array(0);
+  private fade_ = 1;
 
   constructor() {
     this.fill_.frustumCulled = false;
@@ -47,10 +48,19 @@ export class MeshLayer {
 
   /** Lines inside fade away where they would lie so close that they are noise; by the size of a metre [CSS px]. */
   setScale(pixelsPerMetre: number): void {
-    const fade = Math.min(1, Math.max(0, (pixelsPerMetre - kDense) / kDense));
+    this.fade_ = Math.min(1, Math.max(0, (pixelsPerMetre - kDense) / kDense));
+    this.showInside();
+  }
+
+  /** Lines inside are seen. */
+  get insideSeen(): boolean {
+    return this.fade_ > 0;
+  }
+
+  private showInside(): void {
     for (const lines of [this.inside_, this.insideBehind_]) {
-      lines.fade = fade;
-      lines.mesh.visible = fade > 0 && lines.count > 0;
+      lines.fade = this.fade_;
+      lines.mesh.visible = this.insideSeen && lines.count > 0;
     }
   }
 
@@ -66,8 +76,8 @@ export class MeshLayer {
     let rim = 0;
     let vertex = 0;
     for (const { topology, vertices } of meshes) {
-      inside = moveLines([this.inside_, this.insideBehind_], inside, topology.inside, vertices);
-      rim = moveLines([this.rim_, this.rimBehind_], rim, topology.rim, vertices);
+      if (this.insideSeen) inside = moveLines(this.inside_, inside, topology.inside, vertices);
+      rim = moveLines(this.rim_, rim, topology.rim, vertices);
       for (let i = 0; i + 1 < vertices.length; i += 2) {
         this.positions_[vertex++] = vertices[i] ?? 0;
         this.positions_[vertex++] = vertices[i + 1] ?? 0;
@@ -75,6 +85,7 @@ export class MeshLayer {
       }
     }
     for (const lines of this.lines()) lines.flush(fresh);
+    this.showInside();
     const position = this.fill_.geometry.attributes['position'];
     if (position) position.needsUpdate = true;
   }
@@ -151,22 +162,20 @@ export class MeshLayer {
   }
 }
 
-function moveLines(targets: readonly FatLines[], first: number, pairs: Uint32Array, vertices: Numbers): number {
+function moveLines(lines: FatLines, first: number, pairs: Uint32Array, vertices: Numbers): number {
   let index = first;
   for (let i = 0; i < pairs.length; i += 2, ++index) {
     const a = 2 * (pairs[i] ?? 0);
     const b = 2 * (pairs[i + 1] ?? 0);
-    for (const lines of targets) {
-      lines.setLine(
-        index,
-        vertices[a] ?? 0,
-        vertices[a + 1] ?? 0,
-        kHeight,
-        vertices[b] ?? 0,
-        vertices[b + 1] ?? 0,
-        kHeight,
-      );
-    }
+    lines.setLine(
+      index,
+      vertices[a] ?? 0,
+      vertices[a + 1] ?? 0,
+      kHeight,
+      vertices[b] ?? 0,
+      vertices[b + 1] ?? 0,
+      kHeight,
+    );
   }
   return index;
 }

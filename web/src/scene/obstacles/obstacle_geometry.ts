@@ -1,5 +1,6 @@
 // Shapes of obstacles: buildings cut at 3.2 m, pillars, fountains, trees and cars. The name of an obstacle decides.
 
+import { isCarSized } from '../../model/place/frame';
 import type { BufferGeometry } from 'three';
 import type { Vec2 } from '../../protocol/generated/commands';
 import type { SceneObstacle } from '../../protocol/messages';
@@ -10,8 +11,7 @@ import type { Palette } from '../drawing/palette';
 /** Nothing is drawn higher than this, so that streets stay visible [m]. */
 export const kCutHeight = 3.2;
 
-/** Lengths and widths of cars, and the length below which a moving obstacle is an animal [m]. */
-const kCar = { longLeast: 2.8, longMost: 7, wideLeast: 1.3, wideMost: 2.6 };
+/** The length below which a moving obstacle is an animal [m]. */
 const kSmall = 1.2;
 /** Bars of gates [m]. */
 const kBar = { thick: 0.09, apart: 0.3 };
@@ -35,10 +35,8 @@ export function lookOfObstacle(obstacle: SceneObstacle): ObstacleLook {
 /** A moving obstacle whose name says nothing is a car where it has the size of one, and a mouse where it is tiny. */
 function lookBySize(outline: readonly Vec2[]): ObstacleLook {
   const { length, width } = boxOf(outline);
-  const [long, short] = [2 * Math.max(length, width), 2 * Math.min(length, width)];
-  if (long < kSmall) return 'mouse';
-  const carLike = long >= kCar.longLeast && long <= kCar.longMost && short >= kCar.wideLeast && short <= kCar.wideMost;
-  return carLike ? 'car' : 'building';
+  if (2 * Math.max(length, width) < kSmall) return 'mouse';
+  return isCarSized(2 * length, 2 * width) ? 'car' : 'building';
 }
 
 /** An edge line of an obstacle [m]. */

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { CameraController } from '../camera/camera_controller';
 import { paletteOf } from '../drawing/palette';
 import { type Standing, TreeLayer } from './tree_layer';
-import { StandingGrid } from '../crowd/standing_grid';
+import { StandingGrid } from '../../model/standing_grid';
 import { obstacleOf } from '../../protocol/test_scene';
 
 function standing(places: readonly number[]): Standing {

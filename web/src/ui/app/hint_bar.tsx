@@ -4,7 +4,7 @@
 import type { StudioActions } from '../../model/studio_actions';
 import { kHintSteps, type InputKind } from '../../model/studio_state';
 import type { StudioStore } from '../../model/studio_store';
-import { Icon } from '../widgets/buttons';
+import { Button, Icon } from '../widgets/buttons';
 import { element } from '../widgets/dom';
 import { drawPanel } from '../widgets/panel';
 
@@ -70,9 +70,9 @@ export class HintBar {
             </span>
           </div>
         ))}
-        <button type="button" class="soft hint-done" onClick={() => actions.dismissHint()}>
+        <Button class="soft hint-done" act={() => actions.dismissHint()}>
           Got it
-        </button>
+        </Button>
       </>
     ));
   }

@@ -3,7 +3,7 @@
 import type { ShapeActions } from '../../model/shape_actions';
 import type { StudioActions } from '../../model/studio_actions';
 import type { StudioStore } from '../../model/studio_store';
-import { problem } from '../../protocol/problem';
+import { loadWhen } from '../widgets/lazily';
 
 export function openDialogsLazily(
   page: HTMLElement,
@@ -11,16 +11,9 @@ export function openDialogsLazily(
   actions: StudioActions,
   shapes: ShapeActions,
 ): void {
-  let asked = false;
-  store.watch(['dialog'], ({ dialog }) => {
-    if (dialog === 'none' || asked) return;
-    asked = true;
-    import('../formations/shape_dialogs').then(
-      ({ watchShapeDialogs }) => watchShapeDialogs(page, store, actions, shapes),
-      () => {
-        asked = false;
-        store.set({ dialog: 'none', notice: problem('page', 'The server does not answer: try again.') });
-      },
-    );
-  });
+  const load = async (): Promise<void> => {
+    const { watchShapeDialogs } = await import('../formations/shape_dialogs');
+    watchShapeDialogs(page, store, actions, shapes);
+  };
+  loadWhen(store, ['dialog'], ({ dialog }) => dialog !== 'none', load, { dialog: 'none' });
 }

@@ -5,7 +5,8 @@ import { formatClock } from '../../model/formatters';
 import type { StudioActions } from '../../model/studio_actions';
 import type { StudioState } from '../../model/studio_state';
 import type { StudioStore } from '../../model/studio_store';
-import { Icon } from '../widgets/buttons';
+import { Banner } from '../widgets/banner';
+import { Button } from '../widgets/buttons';
 import { element } from '../widgets/dom';
 
 /** What a lost connection means for the visitor. */
@@ -41,12 +42,7 @@ export class LostBanner {
     if (phase !== 'connecting' || !state.loaded) this.root.hidden = phase !== 'lost';
     if (this.root.hidden) return;
     render(
-      <>
-        <Icon name="lost" size={24} />
-        <div class="banner-words">
-          <strong>{state.loaded ? 'Connection lost' : 'No server'}</strong>
-          <span class="secondary">{wordsOf(state)}</span>
-        </div>
+      <Banner icon="lost" title={state.loaded ? 'Connection lost' : 'No server'} text={wordsOf(state)}>
         <div class="banner-buttons">
           <button
             type="button"
@@ -56,11 +52,11 @@ export class LostBanner {
           >
             Go on without server
           </button>
-          <button type="button" class="solid" onClick={() => this.actions_.retry()}>
+          <Button class="solid" act={() => this.actions_.retry()}>
             Try now
-          </button>
+          </Button>
         </div>
-      </>,
+      </Banner>,
       this.root,
     );
   }

@@ -3,7 +3,8 @@
 import { NoticeLevel, type Notice } from '../../protocol/messages';
 import type { StudioActions } from '../../model/studio_actions';
 import type { StudioStore } from '../../model/studio_store';
-import { Icon } from '../widgets/buttons';
+import { Banner } from '../widgets/banner';
+import { Button, Icon } from '../widgets/buttons';
 import { element } from '../widgets/dom';
 import type { IconName } from '../widgets/icons';
 import { drawPanel } from '../widgets/panel';
@@ -33,20 +34,15 @@ export class NoticeBanner {
     drawPanel(this.root, store, ['notice'], ({ notice }) => {
       if (!notice) return null;
       return (
-        <>
-          <Icon name={kLevels[notice.level].icon} size={24} />
-          <div class="banner-words">
-            <strong>{notice.text}</strong>
-          </div>
-          <button
-            type="button"
+        <Banner icon={kLevels[notice.level].icon} title={notice.text}>
+          <Button
             class="soft notice-show"
             data-tip="Brings the spot into view"
             hidden={!notice.hasPlace}
-            onClick={() => actions_.showNoticePlace()}
+            act={() => actions_.showNoticePlace()}
           >
             Show
-          </button>
+          </Button>
           <button
             type="button"
             class="notice-close"
@@ -55,7 +51,7 @@ export class NoticeBanner {
           >
             <Icon name="close" />
           </button>
-        </>
+        </Banner>
       );
     });
   }

@@ -21,11 +21,17 @@ const makeWorker = (): EnginePort =>
 async function loadTheRest(): Promise<void> {
   await Promise.all([
     import('../build/build_controller'),
+    import('../takes/take_controller'),
     import('../takes/path/path_controller'),
-    import('../formations/sequence/sequence_controller'),
-    import('../places/place_controller'),
-    import('../formations/shape_dialogs'),
     import('../takes/film_writer'),
+    import('../formations/sequence/sequence_controller'),
+    import('../formations/shape_dialogs'),
+    import('../formations/group_ghost'),
+    import('../places/place_controller'),
+    import('../measures/measure_controller'),
+    import('../orders/words_controller'),
+    import('../../tools/ground_cursor'),
+    import('../../model/spot_words'),
     import('../../scene/crowd/own_character/own_character'),
     import('../../scene/scenery/model_file'),
   ]);

@@ -87,7 +87,7 @@ export class StudioApp {
   private readonly controls_: VirtualControls;
   private readonly chooser_: ToolChooser;
   private readonly keys_: CrowdKeys;
-  private readonly cursor_ = new LazyCursor();
+  readonly cursor = new LazyCursor();
   private readonly announcer_: ControlAnnouncer;
   private readonly stats_ = wantsStats(window.location.search) ? new StatsReadout() : null;
 
@@ -164,7 +164,7 @@ export class StudioApp {
       () => this.controller_.togglePlay(),
     );
     this.routePointers();
-    this.cursor_.serve({
+    this.cursor.serve({
       client: this.client_,
       store: this.store,
       view: this.view_,
@@ -182,7 +182,7 @@ export class StudioApp {
   }
 
   private shortcuts() {
-    const { keys_: keys, controller_: controller, store, cursor_: cursor } = this;
+    const { keys_: keys, controller_: controller, store, cursor } = this;
     return studioShortcuts(controller, this.orders, {
       arrow: (key, long) => (cursor.takesKeys ? cursor.arrow(key, long) : keys.arrow(key, long)),
       zoom: (factor) => keys.zoom(factor),
@@ -200,7 +200,7 @@ export class StudioApp {
 
   /** Escape drops what is being drawn, then puts the tool away, then ends controls. */
   private letGo(): void {
-    if (this.cursor_.giveUp()) return;
+    if (this.cursor.giveUp()) return;
     this.orders_.abort();
     if (this.store.state.tool === 'steer') this.keys_.letGo();
     else this.orders.setTool('steer');
@@ -314,8 +314,8 @@ export class StudioApp {
       const before = this.scene_;
       // A scene comes again when only a parameter or a count changed: nothing looks different then.
       this.view_.orders.setGroups(scene.groups);
-      if (before && sceneKey(before) === sceneKey(scene)) return;
       this.scene_ = scene;
+      if (before && sceneKey(before) === sceneKey(scene)) return this.view_.keepScene(scene);
       const opens = !before || !isSameWorld(before, scene);
       if (opens) this.forgetWorld();
       this.view_.setScene(scene);

@@ -12,16 +12,16 @@ import { EmptyPanel } from '../places/empty_panel';
 import { pressWithExtraFingers } from '../widgets/extra_finger_press';
 import { FormationPanel } from '../formations/formation_panel';
 import { GroupChips } from '../steer/group_chips';
-import { HelpDialog } from './help_dialog';
 import { HintBar } from './hint_bar';
 import { LayerBar } from '../steer/layer_bar';
 import { guardBackdrops } from '../widgets/backdrop_press';
 import { LegendPanel } from '../steer/legend_panel';
 import { LiveRegion } from '../widgets/live_region';
+import { pageDialogs } from './page_dialogs';
 import { PhoneBar } from './phone_bar';
 import { Readout } from '../steer/readout';
 import { ScaleBar } from '../steer/scale_bar';
-import { SchemeBanner, SchemeDialog } from '../steer/scheme_dialog';
+import { SchemeBanner } from '../steer/scheme_banner';
 import { SheetTabs } from './sheet_tabs';
 import { ScenarioPicker } from '../places/scenario_picker';
 import type { PanelName } from '../../model/panel_places';
@@ -123,8 +123,7 @@ export class StudioShell {
       new CrowdArrows(store_, actions).root,
       ...playback.inputs,
       this.live.root,
-      new HelpDialog(store_, actions, shortcuts).root,
-      new SchemeDialog(store_, actions).root,
+      pageDialogs(store_, actions, shortcuts),
       new CleanPicture(store_, actions).root,
       new Tooltip(document).root,
     );

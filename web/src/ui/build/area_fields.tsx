@@ -6,8 +6,9 @@ import { gated, isOpenAt, kNever, pressedAt, type GateTimes } from '../../model/
 import { changedAt } from '../../model/place/routes';
 import type { AreaFields as Area, Thing } from '../../model/place/things';
 import type { Arrivals } from '../../protocol/generated/commands';
+import { Button } from '../widgets/buttons';
 import { BuildIcon } from '../widgets/build_icons';
-import { NumberField, SelectField } from '../widgets/fields';
+import { numberField, selectField } from '../widgets/fields';
 import type { BuildActions } from './build_actions';
 
 const kDegree = Math.PI / 180;
@@ -55,18 +56,12 @@ function Times({ labels, from, until, actions, act }: TimesProps): VNode {
   const refuse = (text: string): false => (actions.say(text), false);
   return (
     <>
-      <NumberField
-        label={labels[0]}
-        value={from}
-        range={kTime}
-        act={(time) => (until > 0 && time >= until ? refuse('That is not before the end.') : act({ from: time }))}
-      />
-      <NumberField
-        label={labels[1]}
-        value={until}
-        range={kTime}
-        act={(time) => (time > 0 && time <= from ? refuse('That is not after the beginning.') : act({ until: time }))}
-      />
+      {numberField(labels[0], from, kTime, (time) =>
+        until > 0 && time >= until ? refuse('That is not before the end.') : act({ from: time }),
+      )}
+      {numberField(labels[1], until, kTime, (time) =>
+        time > 0 && time <= from ? refuse('That is not after the beginning.') : act({ until: time }),
+      )}
     </>
   );
 }
@@ -95,18 +90,10 @@ export function AreaFields({ one, actions, area }: FieldsProps & { readonly area
   const isExit = area.kind === 'exit';
   return (
     <>
-      <SelectField
-        label="State"
-        words={Object.values(kOpen)}
-        value={kOpen[`${area.open}`]}
-        act={(word) => change(word === kOpen.true ? 'Open' : 'Close', { open: word === kOpen.true })}
-      />
-      <NumberField
-        label={isExit ? 'At most, 0: all' : 'People'}
-        value={area.rate}
-        range={kRate}
-        act={(rate) => change('Rate', { rate })}
-      />
+      {selectField('State', Object.values(kOpen), kOpen[`${area.open}`], (word) =>
+        change(word === kOpen.true ? 'Open' : 'Close', { open: word === kOpen.true }),
+      )}
+      {numberField(isExit ? 'At most, 0: all' : 'People', area.rate, kRate, (rate) => change('Rate', { rate }))}
       {!isExit && (
         <JoinField
           group={one.group}
@@ -115,20 +102,12 @@ export function AreaFields({ one, actions, area }: FieldsProps & { readonly area
         />
       )}
       <AreaTimes one={one} actions={actions} isExit={isExit} />
-      {!isExit && (
-        <NumberField
-          label="In all, 0: no end"
-          value={given(one, 'most', 0)}
-          range={kPeople}
-          act={(most) => put(actions, 'Number', { most: most || undefined })}
-        />
-      )}
+      {!isExit &&
+        numberField('In all, 0: no end', given(one, 'most', 0), kPeople, (most) =>
+          put(actions, 'Number', { most: most || undefined }),
+        )}
       {!isExit && <Timetable one={one} actions={actions} />}
-      {area.queue.length > 0 && (
-        <button type="button" class="soft" onClick={() => change('No queue', { queue: [] })}>
-          No queue
-        </button>
-      )}
+      {area.queue.length > 0 && <Button act={() => change('No queue', { queue: [] })}>No queue</Button>}
     </>
   );
 }
@@ -144,13 +123,11 @@ export interface JoinProps {
 /** Whom the people of a source join. */
 export function JoinField({ group, first, actions, act }: JoinProps): VNode {
   const choices = [...(first ? [{ id: 0, word: first }] : []), ...groupChoices(actions.scene)];
-  return (
-    <SelectField
-      label="Join"
-      words={choices.map(({ word }) => word)}
-      value={choices.find(({ id }) => id === group)?.word ?? first ?? ''}
-      act={(word) => act(choices.find((one) => one.word === word)?.id ?? group)}
-    />
+  return selectField(
+    'Join',
+    choices.map(({ word }) => word),
+    choices.find(({ id }) => id === group)?.word ?? first ?? '',
+    (word) => act(choices.find((one) => one.word === word)?.id ?? group),
   );
 }
 
@@ -177,14 +154,8 @@ function Timetable({ one, actions }: FieldsProps): VNode {
     const name = `Arrival ${k + 1}`;
     return (
       <div key={k} class="build-arrival">
-        <NumberField label="At" name={`${name}, time`} value={time} range={kTime} act={(to) => edit({ time: to })} />
-        <NumberField
-          label="People"
-          name={`${name}, people`}
-          value={count}
-          range={{ ...kPeople, min: 1 }}
-          act={(to) => edit({ count: to })}
-        />
+        {numberField('At', time, kTime, (to) => edit({ time: to }), `${name}, time`)}
+        {numberField('People', count, { ...kPeople, min: 1 }, (to) => edit({ count: to }), `${name}, people`)}
         <button
           type="button"
           aria-label={`Remove ${name.toLowerCase()}`}
@@ -199,9 +170,7 @@ function Timetable({ one, actions }: FieldsProps): VNode {
     <div class="build-timetable">
       <h4>Timetable</h4>
       {arrivalsOf(one).map(row)}
-      <button type="button" class="soft" onClick={add}>
-        Add an arrival
-      </button>
+      <Button act={add}>Add an arrival</Button>
     </div>
   );
 }
@@ -210,23 +179,13 @@ function Timetable({ one, actions }: FieldsProps): VNode {
 export function StairsFields({ one, actions, ascent }: FieldsProps & { readonly ascent: number }): VNode {
   const speed = (label: string, key: 'speed' | 'speedDown'): VNode => {
     const now = [key, 'speed'].map((known) => given(one, known, -1)).find((value) => value > 0);
-    return (
-      <NumberField
-        label={label}
-        value={now ?? NaN}
-        range={kSpeed}
-        act={(value) => put(actions, label, { [key]: value })}
-      />
-    );
+    return numberField(label, now ?? NaN, kSpeed, (value) => put(actions, label, { [key]: value }));
   };
   return (
     <>
-      <NumberField
-        label="Up towards"
-        value={ascent / kDegree}
-        range={{ min: -3600, max: 3600, unit: '°' }}
-        act={(degrees) => actions.edit('Way up', (it) => ({ ...it, ascent: degrees * kDegree }))}
-      />
+      {numberField('Up towards', ascent / kDegree, { min: -3600, max: 3600, unit: '°' }, (degrees) =>
+        actions.edit('Way up', (it) => ({ ...it, ascent: degrees * kDegree })),
+      )}
       {speed('Speed up', 'speed')}
       {speed('Speed down', 'speedDown')}
     </>
@@ -267,9 +226,9 @@ export function GateFields({ times, actions }: Omit<GateFieldsProps, 'act'>): VN
   return (
     <>
       <GateTimeFields times={times} actions={actions} act={(to) => set('Times', to)} />
-      <button type="button" class="soft" onClick={() => set(isOpen ? 'Shut' : 'Open', pressedAt(times, time))}>
+      <Button act={() => set(isOpen ? 'Shut' : 'Open', pressedAt(times, time))}>
         {isOpen ? 'Shut now' : 'Open now'}
-      </button>
+      </Button>
     </>
   );
 }

@@ -2,6 +2,7 @@
 
 import type { BuildTool, DrawingOptions } from '../../model/place/drawing';
 import type { PlaceChange, Thing, ThingKind } from '../../model/place/things';
+import type { ArrowKey } from '../../tools/keyboard_steering';
 import type { SceneFacts } from '../../protocol/scene';
 
 /** Formations that people and checkpoints may have. */
@@ -28,12 +29,16 @@ export interface BuildActions {
   copy(): void;
   paste(): void;
   duplicate(): void;
-  nudge(dx: number, dy: number): void;
+  /** An arrow moves what is chosen, else the cursor on the ground. */
+  arrow(key: ArrowKey, long: boolean): void;
+  /** Enter takes what is under the cursor, and begins and ends what is drawn. */
+  enter(shift: boolean): void;
+  /** The keys go on to the ground. */
+  toGround(): void;
   togglePlay(): void;
   /** A sentence in the panel. */
   say(text: string): void;
   turnChosen(angle: number): void;
   chooseAll(): void;
-  finishPolygon(): void;
   leave(): void;
 }

@@ -14,6 +14,8 @@ import { OverlayKind, PlaybackAction } from '../../protocol/messages';
 import type { SceneFacts } from '../../protocol/scene';
 import type { StudioScene } from '../../scene/studio_scene';
 import { BuildPointer } from '../../tools/build_pointer';
+import type { ArrowKey } from '../../tools/keyboard_steering';
+import type { LazyCursor } from '../steer/lazy_cursor';
 import type { HistoryController } from '../orders/history_controller';
 import type { BuildActions } from './build_actions';
 import { BuildEdits, type PlaceEdit } from './build_edits';
@@ -25,6 +27,7 @@ import { MistakeNotes } from './mistake_notes';
 import { NewSources } from './new_sources';
 import { placeClips } from './place_clips';
 import { BuildStroking, type StrokeHost } from './build_strokes';
+import { cursorOver } from './cursor_strokes';
 import '../styles/build.css';
 
 export interface BuildParts {
@@ -33,10 +36,13 @@ export interface BuildParts {
   readonly store: StudioStore;
   readonly view: StudioScene;
   readonly page: HTMLElement;
+  readonly cursor: LazyCursor;
 }
 
 /** What is pasted or doubled stands beside the old one [m]. */
 const kBeside = 1;
+/** An arrow moves what is chosen by so much, with Shift by more [m]. */
+const kNudge = { short: 0.1, long: 1 };
 /** Of an edit that was refused [ms]. */
 const kPreviewStays = 1500;
 
@@ -82,7 +88,10 @@ export class BuildController implements StrokeHost, BuildActions {
     );
     parts_.page.before(this.layer_.root, this.notes_.root);
     // Whoever goes on to the scene has done with what was typed.
-    this.layer_.root.addEventListener('pointerdown', () => this.panel_.leaveField());
+    this.layer_.root.addEventListener('pointerdown', () => {
+      this.panel_.leaveField();
+      parts_.cursor.hide();
+    });
     PanelLayout.of(parts_.page).add('build', this.panel_.root);
     BuildPointer.over(view, this.strokes_).listen(this.layer_.root);
     new BuildKeys(this, () => this.open_);
@@ -106,6 +115,7 @@ export class BuildController implements StrokeHost, BuildActions {
     this.open_ = open;
     for (const { style } of [this.layer_.root, this.notes_.root]) style.display = open ? '' : 'none';
     this.panel_.root.hidden = !open;
+    this.parts_.cursor.lend(open ? cursorOver(this.strokes_, () => this.tool) : null);
     this.strokes_.drop();
     this.showLayers();
     this.parts_.client.send({ type: 'Build', on: open });
@@ -308,8 +318,24 @@ export class BuildController implements StrokeHost, BuildActions {
     this.paste();
   }
 
-  nudge(dx: number, dy: number): void {
-    this.edit('Move', (one) => things.moved(one, dx, dy));
+  arrow(key: ArrowKey, long: boolean): void {
+    if (this.tool !== 'select' || this.chosen_.length === 0 || this.strokes_.busy)
+      return this.parts_.cursor.arrow(key, long);
+    const step = (long ? kNudge.long : kNudge.short) * (key === 'ArrowLeft' || key === 'ArrowDown' ? -1 : 1);
+    const aside = key === 'ArrowLeft' || key === 'ArrowRight';
+    this.edit('Move', (one) => things.moved(one, aside ? step : 0, aside ? 0 : step));
+  }
+
+  enter(shift: boolean): void {
+    const { at } = this.parts_.cursor;
+    if (this.strokes_.ends(at)) return this.strokes_.finishPolygon();
+    if (!shift && this.tool === 'select' && this.chosen_.length > 0 && !this.strokes_.busy)
+      return this.panel_.toFields();
+    this.parts_.cursor.press(shift);
+  }
+
+  toGround(): void {
+    this.parts_.cursor.focus();
   }
 
   togglePlay(): void {
@@ -349,6 +375,7 @@ export class BuildController implements StrokeHost, BuildActions {
   }
 
   leave(): void {
+    if (this.parts_.cursor.giveUp()) return;
     if (this.strokes_.busy) return this.setTool(this.tool);
     if (this.tool !== 'select') return this.setTool('select');
     if (this.chosen_.length > 0) {
@@ -356,10 +383,6 @@ export class BuildController implements StrokeHost, BuildActions {
       return this.showChosen();
     }
     this.parts_.store.set({ build: false });
-  }
-
-  finishPolygon(): void {
-    this.strokes_.finishPolygon();
   }
 
   private showChosen(): void {

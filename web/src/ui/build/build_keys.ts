@@ -1,6 +1,7 @@
 // Keys while somebody builds. They come before those of the studio.
 
 import { kBuildTools, type BuildTool } from '../../model/place/drawing';
+import type { ArrowKey } from '../../tools/keyboard_steering';
 import type { BuildActions } from './build_actions';
 
 /** One letter for each tool. */
@@ -27,13 +28,9 @@ export const kToolKeys: Record<BuildTool, string> = {
   people: 'g',
 };
 
-const kArrows: Readonly<Record<string, readonly [number, number]>> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, 1],
-  ArrowDown: [0, -1],
-};
-const kNudge = { short: 0.1, long: 1 };
+const kArrows: readonly string[] = ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown'];
+/** What is chosen turns by so much [rad]. */
+const kTurns: Readonly<Record<string, number>> = { ',': Math.PI / 12, '.': -Math.PI / 12 };
 
 /** Where letters are written, or chosen by. */
 const kTyping = 'input:not([type="checkbox"]), textarea, select, dialog';
@@ -73,18 +70,16 @@ export class BuildKeys {
   }
 
   private key({ key, shiftKey, target }: KeyboardEvent): boolean {
-    const arrow = kArrows[key];
     const onButton = target instanceof HTMLElement && target.closest('[role="toolbar"]') !== null;
-    if (arrow && !onButton) {
-      const step = shiftKey ? kNudge.long : kNudge.short;
-      this.actions_.nudge(arrow[0] * step, arrow[1] * step);
-      return true;
-    }
+    if (kArrows.includes(key) && !onButton) return (this.actions_.arrow(key as ArrowKey, shiftKey), true);
+    if (kTurns[key]) return (this.actions_.turnChosen(kTurns[key]), true);
     if (key === 'Escape') return (this.actions_.leave(), true);
     if (key === 'Delete' || key === 'Backspace') return (this.actions_.remove(), true);
-    if (key === 'Enter' && !(target instanceof HTMLButtonElement)) return (this.actions_.finishPolygon(), true);
+    if (key === 'Enter' && !(target instanceof HTMLButtonElement)) return (this.actions_.enter(shiftKey), true);
     const tool = shiftKey ? undefined : kBuildTools.find((one) => kToolKeys[one] === key.toLowerCase());
-    if (tool) this.actions_.setTool(tool);
-    return tool !== undefined;
+    if (!tool) return false;
+    this.actions_.setTool(tool);
+    this.actions_.toGround();
+    return true;
   }
 }

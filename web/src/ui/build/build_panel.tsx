@@ -8,7 +8,7 @@ import type { HistoryFacts } from '../../model/studio_state';
 import { BuildIcon } from '../widgets/build_icons';
 import { Icon } from '../widgets/buttons';
 import { element } from '../widgets/dom';
-import { NumberField, SelectField, type NumberRange } from '../widgets/fields';
+import { NumberField, type NumberRange, selectField } from '../widgets/fields';
 import { GateTimeFields, JoinField } from './area_fields';
 import { kShapes, type BuildActions } from './build_actions';
 import { kToolKeys } from './build_keys';
@@ -98,14 +98,8 @@ function Options({ tool, actions }: { readonly tool: BuildTool; readonly actions
           act={(value) => actions.setOptions({ [key]: value })}
         />
       ))}
-      {(tool === 'checkpoint' || tool === 'people') && (
-        <SelectField
-          label="Formation"
-          words={kShapes}
-          value={options.formation}
-          act={(formation) => actions.setOptions({ formation })}
-        />
-      )}
+      {(tool === 'checkpoint' || tool === 'people') &&
+        selectField('Formation', kShapes, options.formation, (formation) => actions.setOptions({ formation }))}
       {tool === 'source' && (
         <JoinField
           group={options.sourceGroup}
@@ -197,6 +191,7 @@ export class BuildPanel {
     window.clearTimeout(this.soon_);
     this.soon_ = 0;
     this.shown_ = { ...this.shown_, ...change };
+    this.root.toggleAttribute('data-chosen', this.shown_.chosen.length > 0);
     render(this.content(), this.root);
   }
 
@@ -217,6 +212,11 @@ export class BuildPanel {
 
   focus(): void {
     this.root.querySelector<HTMLElement>('.build-tool')?.focus();
+  }
+
+  /** To numbers and words of what is chosen. */
+  toFields(): void {
+    this.root.querySelector<HTMLElement>('.build-chosen-fields input')?.focus();
   }
 
   /** Ends typing, as Enter does. */
@@ -247,7 +247,10 @@ export class BuildPanel {
               aria-keyshortcuts={kToolKeys[one].toUpperCase()}
               data-tip={kTools[one][1]}
               data-key={kToolKeys[one].toUpperCase()}
-              onClick={() => actions.setTool(one)}
+              onClick={({ detail }) => {
+                actions.setTool(one);
+                if (detail === 0) actions.toGround(); // By a key.
+              }}
             >
               <BuildIcon name={one} />
               <span>{kTools[one][0]}</span>

@@ -61,6 +61,9 @@ function takesRoute({ kind, area }: Thing): boolean {
   return kind === 'obstacle' || kind === 'patch' || area?.kind === 'exit';
 }
 
+/** The cursor has not moved from a corner, which snapping may have moved [m]. */
+const kOneSpot = 0.36;
+
 const kCrosses = 'An outline must not cross itself.';
 
 export class BuildStroking implements BuildStrokes {
@@ -94,6 +97,12 @@ export class BuildStroking implements BuildStrokes {
   drop(): void {
     this.cancel();
     this.corners = [];
+  }
+
+  /** Enter ends the polygon that is being drawn: without a cursor anywhere, else on its last corner. */
+  ends(cursor: GroundPoint | null): boolean {
+    const last = this.corners[this.corners.length - 1];
+    return last !== undefined && (!cursor || Math.hypot(last.x - cursor.x, last.y - cursor.y) < kOneSpot);
   }
 
   finishPolygon(): void {

@@ -7,7 +7,8 @@ import { kClimbed, kGoRound, kindName, kJumped, motionWord, withMotion } from '.
 import { changedAt } from '../../model/place/routes';
 import { moved, turned, type Thing } from '../../model/place/things';
 import { formationKind, type FormationWords } from '../../model/sequence';
-import { NumberField, SelectField, TextField } from '../widgets/fields';
+import { Button } from '../widgets/buttons';
+import { numberField, selectField, TextField } from '../widgets/fields';
 import { AreaFields, GateFields, StairsFields, type FieldsProps } from './area_fields';
 import { kShapes, type BuildActions } from './build_actions';
 import { GroupBodyFields } from './group_body_fields';
@@ -30,28 +31,19 @@ function degreesOf(angle: number): number {
 function SizeFields({ one, actions }: FieldsProps): VNode | null {
   if (!one.polygon) return null;
   const { length, width, angle, middle } = frameOf(one.polygon);
-  const size = (label: string, side: 'length' | 'width', value: number): VNode => (
-    <NumberField
-      label={label}
-      value={value}
-      range={kSize}
-      act={(wished) =>
-        actions.edit('Resize', (it) =>
-          changedAt(it, actions.time, (defined) => gatedAgain(resized(defined, side, wished))),
-        )
-      }
-    />
-  );
+  const size = (label: string, side: 'length' | 'width', value: number): VNode =>
+    numberField(label, value, kSize, (wished) =>
+      actions.edit('Resize', (it) =>
+        changedAt(it, actions.time, (defined) => gatedAgain(resized(defined, side, wished))),
+      ),
+    );
   return (
     <>
       {size('Length', 'length', length)}
       {size('Width', 'width', width)}
-      <NumberField
-        label="Turned by"
-        value={degreesOf(angle)}
-        range={kTurn}
-        act={(degrees) => actions.edit('Turn', (it) => turned(it, middle, degrees * kDegree - angle))}
-      />
+      {numberField('Turned by', degreesOf(angle), kTurn, (degrees) =>
+        actions.edit('Turn', (it) => turned(it, middle, degrees * kDegree - angle)),
+      )}
     </>
   );
 }
@@ -61,13 +53,8 @@ function MotionField({ one, actions }: FieldsProps): VNode {
   const { clips } = actions.options;
   const words = [kGoRound, ...clips.map(({ name }) => motionWord(name))];
   const now = one.kind === 'patch' ? (words[one.motion + 1] ?? '') : kGoRound;
-  return (
-    <SelectField
-      label="People here"
-      words={words}
-      value={now}
-      act={(word) => actions.become('People here', (it) => withMotion(it, words.indexOf(word) - 1, clips))}
-    />
+  return selectField('People here', words, now, (word) =>
+    actions.become('People here', (it) => withMotion(it, words.indexOf(word) - 1, clips)),
   );
 }
 
@@ -86,7 +73,7 @@ function HeightField({ one, actions }: FieldsProps): VNode | null {
     else actions.edit('Height', (it) => ({ ...it, height }));
     return true;
   };
-  return <NumberField label="Height" value={isLow ? low!.height : one.height} range={kHeight} act={change} />;
+  return numberField('Height', isLow ? low!.height : one.height, kHeight, change);
 }
 
 function GroupFields({ one, actions }: FieldsProps): VNode {
@@ -98,32 +85,16 @@ function GroupFields({ one, actions }: FieldsProps): VNode {
     }));
   return (
     <>
-      <NumberField
-        label="People"
-        value={one.count}
-        range={{ min: Math.min(1, one.count), max: 20000, whole: true }}
-        act={(count) => actions.editGroup('People', (it) => ({ kind: 'changeGroup', group: it.id, count }))}
-      />
-      <NumberField
-        label="Spacing"
-        value={one.formation.spacing ?? 1}
-        range={{ min: 0.3, max: 20, unit: 'm' }}
-        act={(spacing) => formation({ spacing })}
-      />
-      <SelectField
-        label="Formation"
-        words={kShapes}
-        value={one.formation.kind}
-        act={(kind) => formation({ kind: formationKind(kind) })}
-      />
-      <NumberField
-        label="Turned by"
-        value={degreesOf(one.angle)}
-        range={kTurn}
-        act={(degrees) =>
-          actions.edit('Turn', (it) => turned(it, { x: it.centre[0], y: it.centre[1] }, degrees * kDegree - it.angle))
-        }
-      />
+      {numberField('People', one.count, { min: Math.min(1, one.count), max: 20000, whole: true }, (count) =>
+        actions.editGroup('People', (it) => ({ kind: 'changeGroup', group: it.id, count })),
+      )}
+      {numberField('Spacing', one.formation.spacing ?? 1, { min: 0.3, max: 20, unit: 'm' }, (spacing) =>
+        formation({ spacing }),
+      )}
+      {selectField('Formation', kShapes, one.formation.kind, (kind) => formation({ kind: formationKind(kind) }))}
+      {numberField('Turned by', degreesOf(one.angle), kTurn, (degrees) =>
+        actions.edit('Turn', (it) => turned(it, { x: it.centre[0], y: it.centre[1] }, degrees * kDegree - it.angle)),
+      )}
       <GroupColourField one={one} actions={actions} />
       <GroupBodyFields one={one} actions={actions} />
       <PersonFields one={one} actions={actions} />
@@ -143,16 +114,10 @@ function NameField({ one, actions }: FieldsProps): VNode | null {
 function OneFields({ one, actions }: FieldsProps): VNode {
   const gate = gateOf(one);
   const both = { one, actions };
-  const place = (label: string, axis: 0 | 1): VNode => (
-    <NumberField
-      label={label}
-      value={one.centre[axis]}
-      range={kFar}
-      act={(to) =>
-        actions.edit('Move', (it) => moved(it, axis === 0 ? to - it.centre[0] : 0, axis === 1 ? to - it.centre[1] : 0))
-      }
-    />
-  );
+  const place = (label: string, axis: 0 | 1): VNode =>
+    numberField(label, one.centre[axis], kFar, (to) =>
+      actions.edit('Move', (it) => moved(it, axis === 0 ? to - it.centre[0] : 0, axis === 1 ? to - it.centre[1] : 0)),
+    );
   return (
     <>
       <NameField {...both} />
@@ -160,38 +125,25 @@ function OneFields({ one, actions }: FieldsProps): VNode {
         <MotionField {...both} />
       )}
       <SizeFields {...both} />
-      {!one.polygon && one.kind !== 'group' && (
-        <NumberField
-          label="Radius"
-          value={one.radius}
-          range={kSize}
-          act={(radius) => actions.edit('Resize', (it) => ({ ...it, radius }))}
-        />
-      )}
+      {!one.polygon &&
+        one.kind !== 'group' &&
+        numberField('Radius', one.radius, kSize, (radius) => actions.edit('Resize', (it) => ({ ...it, radius })))}
       <HeightField {...both} />
       {gate && <GateFields times={gate} actions={actions} />}
       {one.ascent !== null && <StairsFields {...both} ascent={one.ascent} />}
       {one.area && <AreaFields {...both} area={one.area} />}
-      {one.kind === 'checkpoint' && (
-        <SelectField
-          label="Formation"
-          words={kShapes}
-          value={one.formation.kind}
-          act={(kind) =>
-            actions.edit('Formation', (it) => ({
-              ...it,
-              formation: { ...it.formation, kind: formationKind(kind) },
-            }))
-          }
-        />
-      )}
+      {one.kind === 'checkpoint' &&
+        selectField('Formation', kShapes, one.formation.kind, (kind) =>
+          actions.edit('Formation', (it) => ({
+            ...it,
+            formation: { ...it.formation, kind: formationKind(kind) },
+          })),
+        )}
       {one.kind === 'group' && <GroupFields {...both} />}
       {place('X', 0)}
       {place('Y', 1)}
       {one.path && !gate && (
-        <button type="button" class="soft" onClick={() => actions.edit('Stand still', (it) => ({ ...it, path: null }))}>
-          Stand still
-        </button>
+        <Button act={() => actions.edit('Stand still', (it) => ({ ...it, path: null }))}>Stand still</Button>
       )}
     </>
   );
@@ -211,12 +163,7 @@ export function ChosenFields({ chosen, actions }: ChosenProps): VNode | null {
       <h3>{several ? `${chosen.length} things` : kindName(one, actions.options.clips)}</h3>
       <div class="build-fields">
         {several ? (
-          <NumberField
-            label="Turn by"
-            value={0}
-            range={kTurn}
-            act={(degrees) => (actions.turnChosen(degrees * kDegree), false)}
-          />
+          numberField('Turn by', 0, kTurn, (degrees) => (actions.turnChosen(degrees * kDegree), false))
         ) : (
           <OneFields one={one} actions={actions} />
         )}

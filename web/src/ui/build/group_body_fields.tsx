@@ -4,7 +4,7 @@ import type { VNode } from 'preact';
 import { areaOf, classesOf, kAnywhere, kAreas, withArea } from '../../model/place/group_body';
 import type { PlaceChange, Thing } from '../../model/place/things';
 import type { GroupLook } from '../../protocol/generated/commands';
-import { SelectField, SliderField, type SliderRange } from '../widgets/fields';
+import { selectField, SliderField, type SliderRange } from '../widgets/fields';
 import type { BuildActions } from './build_actions';
 
 const kRadius: SliderRange = { min: 0.05, max: 1.5, from: 0.1, to: 1, step: 0.01, unit: 'm' };
@@ -57,20 +57,13 @@ interface AppearanceProps extends FieldsProps {
 /** Build and motion set: a look has both, none for what is as usual. */
 function AppearanceField({ one, actions, of, label, words }: AppearanceProps): VNode {
   const word = one.rest[of];
-  return (
-    <SelectField
-      label={label}
-      words={Object.values(words)}
-      value={words[typeof word === 'string' ? word : ''] ?? ''}
-      act={(shown) => {
-        const chosen = Object.keys(words).find((known) => words[known] === shown) ?? '';
-        actions.editGroup(label, ({ id, rest }) => {
-          const wished = { build: rest['build'] ?? null, motions: rest['motions'] ?? null, [of]: chosen || null };
-          return { kind: 'changeGroup', group: id, look: wished as GroupLook };
-        });
-      }}
-    />
-  );
+  return selectField(label, Object.values(words), words[typeof word === 'string' ? word : ''] ?? '', (shown) => {
+    const chosen = Object.keys(words).find((known) => words[known] === shown) ?? '';
+    actions.editGroup(label, ({ id, rest }) => {
+      const wished = { build: rest['build'] ?? null, motions: rest['motions'] ?? null, [of]: chosen || null };
+      return { kind: 'changeGroup', group: id, look: wished as GroupLook };
+    });
+  });
 }
 
 export function GroupBodyFields({ one, actions }: FieldsProps): VNode | null {
@@ -84,34 +77,23 @@ export function GroupBodyFields({ one, actions }: FieldsProps): VNode | null {
       <BodySlider {...both} of="maxSpeed" label="Top speed" range={kSpeed} />
       <AppearanceField {...both} of="build" label="Build" words={kBuilds} />
       <AppearanceField {...both} of="motions" label="Motion set" words={kMotions} />
-      <SelectField
-        label="Class"
-        words={kClasses}
-        value={unitClass}
-        act={(word) => {
-          const chosen = word === kNone ? 0 : Number(word);
-          if (word !== kMixed)
-            actions.editGroup('Class', ({ id }) => ({
-              kind: 'groupBody',
-              edit: { ...kAsTheyAre, group: id, unitClass: chosen },
-            }));
-        }}
-      />
-      {classesOf(body, roles).map((of) => (
-        <SelectField
-          key={of}
-          label={`Class ${of} stands`}
-          words={[kAnywhere, ...Object.values(kAreas)]}
-          value={areaOf(roles, of)}
-          act={(label) =>
-            actions.editGroup('Role', (it) => ({
-              kind: 'changeGroup',
-              group: it.id,
-              roles: withArea(it.roles, of, label),
-            }))
-          }
-        />
-      ))}
+      {selectField('Class', kClasses, unitClass, (word) => {
+        const chosen = word === kNone ? 0 : Number(word);
+        if (word !== kMixed)
+          actions.editGroup('Class', ({ id }) => ({
+            kind: 'groupBody',
+            edit: { ...kAsTheyAre, group: id, unitClass: chosen },
+          }));
+      })}
+      {classesOf(body, roles).map((of) =>
+        selectField(`Class ${of} stands`, [kAnywhere, ...Object.values(kAreas)], areaOf(roles, of), (label) =>
+          actions.editGroup('Role', (it) => ({
+            kind: 'changeGroup',
+            group: it.id,
+            roles: withArea(it.roles, of, label),
+          })),
+        ),
+      )}
     </>
   );
 }

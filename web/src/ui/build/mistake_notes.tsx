@@ -3,6 +3,7 @@
 import { render, type VNode } from 'preact';
 import type { Mistake } from '../../model/place/motions';
 import type { GroundPoint, ScreenPoint } from '../../model/plane';
+import { Button } from '../widgets/buttons';
 import { element } from '../widgets/dom';
 import { PanelLayout } from '../widgets/panel_layout';
 
@@ -65,9 +66,9 @@ export class MistakeNotes {
         <button type="button" onClick={() => this.host_.choose(one)}>
           {one.text}
         </button>
-        <button type="button" class="solid" onClick={() => this.host_.fit(one)}>
+        <Button class="solid" act={() => this.host_.fit(one)}>
           Make it fit
-        </button>
+        </Button>
       </div>
     );
   }

@@ -15,7 +15,8 @@ import {
   type Spreading,
 } from '../../model/place/people';
 import type { Thing } from '../../model/place/things';
-import { NumberField, SelectField, TextField } from '../widgets/fields';
+import { Button } from '../widgets/buttons';
+import { numberField, NumberField, selectField, TextField } from '../widgets/fields';
 import type { BuildActions } from './build_actions';
 
 const kAlike = 'All alike';
@@ -55,16 +56,16 @@ class SpreadFields extends Component<SpreadProps> {
     const now = sort()[of];
     return (
       <div class="build-spread">
-        <SelectField
-          label={`${label} [${unit}]`}
-          name={`${prefix}${label}`}
-          words={[kAsUsual, ...Object.values(kSpreads).map(({ word }) => word)]}
-          value={now ? kSpreads[now.spread].word : kAsUsual}
-          act={(word) => {
+        {selectField(
+          `${label} [${unit}]`,
+          [kAsUsual, ...Object.values(kSpreads).map(({ word }) => word)],
+          now ? kSpreads[now.spread].word : kAsUsual,
+          (word) => {
             const spread = (Object.keys(kSpreads) as Spread[]).find((one) => kSpreads[one].word === word);
             this.set(respread(of, sort()[of], spread));
-          }}
-        />
+          },
+          `${prefix}${label}`,
+        )}
         <div class="build-numbers">
           {now &&
             kSpreads[now.spread].fields.map(([field, name]) => {
@@ -129,49 +130,40 @@ export class PersonFields extends Component<{ readonly one: Thing; readonly acti
         {kDrawnNumbers.map((of) => (
           <SpreadFields key={of} of={of} sort={() => this.now[k] ?? sort} prefix={prefix} change={change} />
         ))}
-        <button
-          type="button"
-          class="soft"
-          onClick={() => {
+        <Button
+          act={() => {
             this.unfolded_.clear();
             this.give(this.now.filter((_, n) => n !== k));
           }}
         >
           Remove this sort
-        </button>
+        </Button>
       </details>
     );
   }
 
   private facts(sort: PersonSort, prefix: string, change: (fields: Partial<PersonSort>) => void): VNode {
-    const stairs = (key: 'upstairs' | 'downstairs', label: string): VNode => (
-      <NumberField
-        label={label}
-        name={`${prefix}${label}`}
-        value={sort[key]}
-        range={kShares}
-        act={(value) => change({ [key]: value === 0 ? 0 : Math.max(0.01, value) })}
-      />
-    );
+    const stairs = (key: 'upstairs' | 'downstairs', label: string): VNode =>
+      numberField(
+        label,
+        sort[key],
+        kShares,
+        (value) => change({ [key]: value === 0 ? 0 : Math.max(0.01, value) }),
+        `${prefix}${label}`,
+      );
     return (
       <>
         <TextField label="Name" name={`${prefix}name of the sort`} value={sort.name} act={(name) => change({ name })} />
-        <NumberField
-          label="Share"
-          name={`${prefix}share`}
-          value={sort.share}
-          range={{ min: 1e-6, max: 1e6 }}
-          act={(share) => change({ share })}
-        />
+        {numberField('Share', sort.share, { min: 1e-6, max: 1e6 }, (share) => change({ share }), `${prefix}share`)}
         {stairs('upstairs', 'Up stairs, 0: as all')}
         {stairs('downstairs', 'Down stairs, 0: as all')}
-        <SelectField
-          label="Class"
-          name={`${prefix}class of the sort`}
-          words={kClasses}
-          value={kClasses[sort.unitClass] ?? String(sort.unitClass)}
-          act={(word) => change({ unitClass: Number(word) || 0 })}
-        />
+        {selectField(
+          'Class',
+          kClasses,
+          kClasses[sort.unitClass] ?? String(sort.unitClass),
+          (word) => change({ unitClass: Number(word) || 0 }),
+          `${prefix}class of the sort`,
+        )}
       </>
     );
   }
@@ -183,29 +175,22 @@ export class PersonFields extends Component<{ readonly one: Thing; readonly acti
     const all = sorts.reduce((sum, { share }) => sum + share, 0);
     return (
       <div class="build-persons">
-        <SelectField
-          label="Persons"
-          words={[kAlike, kAdultsWord, kOwn]}
-          value={word}
-          act={(chosen) => {
-            if (chosen === kOwn) this.unfolded_.add(0);
-            // By its name it is no longer the word of scenario files.
-            this.give(chosen === kAlike ? [] : chosen === kAdultsWord ? [kAdults] : [{ ...kAdults, name: 'Sort 1' }]);
-          }}
-        />
+        {selectField('Persons', [kAlike, kAdultsWord, kOwn], word, (chosen) => {
+          if (chosen === kOwn) this.unfolded_.add(0);
+          // By its name it is no longer the word of scenario files.
+          this.give(chosen === kAlike ? [] : chosen === kAdultsWord ? [kAdults] : [{ ...kAdults, name: 'Sort 1' }]);
+        })}
         {word === kOwn && sorts.map((sort, k) => this.sort(sort, k, all))}
         {word === kOwn && (
-          <button
-            type="button"
-            class="soft"
-            onClick={() => {
+          <Button
+            act={() => {
               const { now } = this;
               this.unfolded_.add(now.length);
               this.give([...now, { ...kAdults, name: `Sort ${now.length + 1}` }]);
             }}
           >
             Add a sort
-          </button>
+          </Button>
         )}
       </div>
     );

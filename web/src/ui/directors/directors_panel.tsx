@@ -7,10 +7,9 @@ import type { GroupInfo } from '../../model/studio_state';
 import type { StudioStore } from '../../model/studio_store';
 import { Icon } from '../widgets/buttons';
 import { element } from '../widgets/dom';
-import { Held } from '../widgets/held';
 import { Menu, MenuItem } from '../widgets/menu';
 import { drawPanel } from '../widgets/panel';
-import { qrPicture } from '../widgets/qr_picture';
+import { QrPicture } from '../widgets/qr_picture';
 
 /** So many faces stand on the button. */
 const kFaces = 3;
@@ -110,7 +109,7 @@ function Invite({ invitation: { links, code }, actions }: InvitationProps): VNod
     <div class="invitation">
       <h2>Direct together</h2>
       <p>Scan this with another device in your network. Whoever has the link can direct.</p>
-      <Held key={link} make={() => qrPicture(code)} />
+      <QrPicture rows={code} />
       <code>{link}</code>
       <button type="button" class="menu-item" onClick={() => actions.copyLink(link)}>
         <Icon name="link" />

@@ -4,7 +4,9 @@ import { render, type VNode } from 'preact';
 import { othersOf, type Consent } from '../../model/consent';
 import { namesOf, sharedNews } from '../../model/shared_news';
 import { PlaybackAction } from '../../protocol/messages';
-import { Icon } from '../widgets/buttons';
+import { Banner } from '../widgets/banner';
+import { Button, Icon } from '../widgets/buttons';
+import { Modal } from '../widgets/dialog';
 import { element } from '../widgets/dom';
 import type { SharedParts } from './lazy_shared';
 import '../styles/shared.css';
@@ -18,7 +20,7 @@ type Stage = 'choose' | 'asking' | 'refused';
 
 export class SharedController {
   private readonly banner_ = element('section', { class: 'banner panel shared-banner', role: 'status' });
-  private readonly dialog_ = element('dialog', { class: 'help consent', 'aria-labelledby': 'consent-title' });
+  private readonly dialog_ = element('div', { class: 'dialogs' });
   private stage_: Stage = 'choose';
   private until_ = 0;
   private minds_ = '';
@@ -36,7 +38,6 @@ export class SharedController {
     store.watch(['directors'], () => othersOf(store.state).length === 0 && this.decide(true));
     client.on('scene', ({ world }) => this.noteChange(world));
     client.on('askAnswered', ({ allowed, client: by }) => this.answered(allowed, by));
-    this.dialog_.addEventListener('close', () => store.state.consent && this.decide(false));
     window.setInterval(() => this.tick(), 500);
   }
 
@@ -87,12 +88,10 @@ export class SharedController {
             <span class="secondary" aria-hidden="true">{`Without an answer it is done in ${left} s.`}</span>
           </div>
           <div class="banner-buttons">
-            <button type="button" class="soft" onClick={() => this.reply(false)}>
-              Not now
-            </button>
-            <button type="button" class="solid" onClick={() => this.reply(true)}>
+            <Button act={() => this.reply(false)}>Not now</Button>
+            <Button class="solid" act={() => this.reply(true)}>
               Allow
-            </button>
+            </Button>
           </div>
         </>
       );
@@ -101,26 +100,18 @@ export class SharedController {
     if (!news || directors.length === 0) return null;
     const act = news.offer === 'play' ? PlaybackAction.Play : PlaybackAction.GoBack;
     return (
-      <>
-        <Icon name="directors" size={24} />
-        <div class="banner-words">
-          <strong>{news.text}</strong>
-        </div>
+      <Banner icon="directors" title={news.text}>
         <div class="banner-buttons">
-          <button
-            type="button"
-            class="solid"
-            onClick={() => this.parts_.client.send({ type: 'Playback', action: act })}
-          >
+          <Button class="solid" act={() => this.parts_.client.send({ type: 'Playback', action: act })}>
             {news.offerText}
-          </button>
+          </Button>
         </div>
         {news.offer === 'back' && (
           <button type="button" class="notice-close" aria-label="Close the message" onClick={() => this.read()}>
             <Icon name="close" />
           </button>
         )}
-      </>
+      </Banner>
     );
   }
 
@@ -134,11 +125,8 @@ export class SharedController {
   // The dialog.
 
   private consentChanged(consent: Consent | null): void {
-    if (!consent) return this.dialog_.close();
-    this.stage_ = 'choose';
+    if (consent) this.stage_ = 'choose';
     this.drawDialog();
-    if (!this.dialog_.open) this.dialog_.showModal();
-    this.dialog_.querySelector<HTMLElement>('.solid')?.focus();
   }
 
   private decide(goes: boolean): void {
@@ -170,7 +158,7 @@ export class SharedController {
 
   private drawDialog(): void {
     const { consent } = this.parts_.store.state;
-    if (consent) render(this.dialogContent(consent), this.dialog_);
+    render(consent && this.dialogContent(consent), this.dialog_);
   }
 
   private dialogContent({ wish }: Consent): VNode {
@@ -184,20 +172,19 @@ export class SharedController {
       refused: `${this.minds_} would rather not now.`,
     }[this.stage_];
     const choice = (label: string, act: () => void, solid = false): VNode => (
-      <button key={label} type="button" class={solid ? 'solid' : 'soft'} onClick={act}>
+      <Button key={label} class={solid ? 'solid' : 'soft'} autofocus={solid} act={act}>
         {label}
-      </button>
+      </Button>
     );
     return (
-      <>
-        <h2 id="consent-title">{title}</h2>
+      <Modal title={title} class="help consent" closes="" close={() => this.decide(false)}>
         {this.stage_ === 'asking' && <p class="secondary">{`Who does not answer in ${left} s agrees.`}</p>}
         <div class="consent-choices">
           {choice('Cancel', () => this.decide(false))}
           {choice(wish.yes, () => this.decide(true))}
           {this.stage_ === 'choose' && choice('Ask them', () => this.ask(), true)}
         </div>
-      </>
+      </Modal>
     );
   }
 }

@@ -6,6 +6,7 @@ import type { OwnShape } from '../../model/shape_edit';
 import type { ShapeActions } from '../../model/shape_actions';
 import type { StudioActions } from '../../model/studio_actions';
 import type { DialogName, GroupInfo, StudioState } from '../../model/studio_state';
+import { Button } from '../widgets/buttons';
 
 export interface ShapeDialogProps {
   readonly state: StudioState;
@@ -46,9 +47,7 @@ export function MorePeople({ title, needs, group, shapes }: MorePeopleProps): VN
   return (
     <div class="shape-more">
       <span>{`${title} needs about ${needs} people.`}</span>
-      <button type="button" class="soft" onClick={() => shapes.setPeople(needs)}>
-        {`Add ${more}`}
-      </button>
+      <Button act={() => shapes.setPeople(needs)}>{`Add ${more}`}</Button>
     </div>
   );
 }
@@ -71,17 +70,12 @@ export function Ends({ state, shapes, shape, title, dialog }: EndsProps): VNode 
     <>
       <GroundWords state={state} />
       <div class="shape-ends">
-        <button
-          type="button"
-          class="soft"
-          disabled={!shape}
-          onClick={() => shape && shapes.tryOut({ title, dialog, shape })}
-        >
+        <Button disabled={!shape} act={() => shape && shapes.tryOut({ title, dialog, shape })}>
           Try on the ground
-        </button>
-        <button type="submit" class="solid" disabled={!shape}>
+        </Button>
+        <Button type="submit" class="solid" disabled={!shape}>
           Use it
-        </button>
+        </Button>
       </div>
     </>
   );

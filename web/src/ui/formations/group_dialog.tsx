@@ -2,6 +2,7 @@
 
 import { Component, type VNode } from 'preact';
 import { formationKind } from '../../model/sequence';
+import { Button } from '../widgets/buttons';
 import { Dialog, Field } from '../widgets/dialog';
 import { leave, type ShapeDialogProps } from './dialog_ends';
 import { kFormations } from './formation_panel';
@@ -79,9 +80,9 @@ export class GroupDialog extends Component<ShapeDialogProps> {
           {others}
         </div>
         <p class="secondary shape-note">Then press on the ground where it shall stand.</p>
-        <button type="submit" class="solid">
+        <Button type="submit" class="solid">
           Place it
-        </button>
+        </Button>
       </Dialog>
     );
   }

@@ -4,8 +4,10 @@ import { Component, type VNode } from 'preact';
 import type { GroundPoint } from '../../model/plane';
 import { kMostLetters, removeShape, savedShapes, saveShape, type SavedShape } from '../../model/saved_shapes';
 import { forCount, loosened, turned, type OwnShape } from '../../model/shape_edit';
-import { Icon } from '../widgets/buttons';
+import { Button, Icon } from '../widgets/buttons';
 import { Dialog, Field } from '../widgets/dialog';
+import { fileInput } from '../widgets/file_input';
+import { Held } from '../widgets/held';
 import { PlaceDots } from '../widgets/place_dots';
 import { activeGroup, Ends, inMetres, kGap, leave, type ShapeDialogProps } from './dialog_ends';
 import { picturePlaces } from './picture_shape';
@@ -35,7 +37,11 @@ const seenFromBehind = (places: readonly GroundPoint[]): GroundPoint[] => places
 
 export class OwnShapeDialog extends Component<ShapeDialogProps, Edited> {
   private name_: HTMLInputElement | null = null;
-  private file_: HTMLInputElement | null = null;
+  private readonly file_ = fileInput({
+    label: 'Picture',
+    accept: 'image/*,.svg',
+    chosen: ([file]) => void this.read(file!),
+  });
   override state: Edited = this.opened();
 
   private opened(): Edited {
@@ -95,35 +101,15 @@ export class OwnShapeDialog extends Component<ShapeDialogProps, Edited> {
     return (
       <div class="shape-tools" role="group" aria-label="Changes">
         {[mirror, ...kChanges].map(([label, change]) => (
-          <button
-            key={label}
-            type="button"
-            class="soft"
-            onClick={() => this.state.shape && this.show({ shape: change(this.state.shape), note: '' })}
-          >
+          <Button key={label} act={() => this.state.shape && this.show({ shape: change(this.state.shape), note: '' })}>
             {label}
-          </button>
+          </Button>
         ))}
-        <button type="button" class="soft" onClick={() => this.file_?.click()}>
-          <Icon name="open" />
+        <Button icon="open" act={() => this.file_.click()}>
           Picture…
-        </button>
-        <button type="button" class="soft" onClick={() => this.props.actions.openDialog('qr')}>
-          QR code…
-        </button>
-        <input
-          type="file"
-          accept="image/*,.svg"
-          hidden
-          aria-label="Picture"
-          tabIndex={-1}
-          ref={(made) => void (this.file_ = made)}
-          onChange={({ currentTarget }) => {
-            const file = currentTarget.files?.[0];
-            currentTarget.value = '';
-            if (file) void this.read(file);
-          }}
-        />
+        </Button>
+        <Button act={() => this.props.actions.openDialog('qr')}>QR code…</Button>
+        <Held make={() => this.file_} />
       </div>
     );
   }
@@ -144,9 +130,9 @@ export class OwnShapeDialog extends Component<ShapeDialogProps, Edited> {
             }}
           />
         </Field>
-        <button type="button" class="soft shape-save" onClick={() => this.save()}>
+        <Button class="soft shape-save" act={() => this.save()}>
           Save
-        </button>
+        </Button>
       </div>
     );
   }

@@ -2,7 +2,7 @@
 
 import type { ShapeActions } from '../../model/shape_actions';
 import type { StudioStore } from '../../model/studio_store';
-import { Icon } from '../widgets/buttons';
+import { Button, Icon } from '../widgets/buttons';
 import { element } from '../widgets/dom';
 import { drawPanel } from '../widgets/panel';
 
@@ -18,12 +18,10 @@ export class TryBar {
             {stand?.text ?? '…'}
           </span>
         </div>
-        <button type="button" class="soft" onClick={() => shapes.endTry('change')}>
-          Change…
-        </button>
-        <button type="button" class="solid" onClick={() => shapes.endTry('take')}>
+        <Button act={() => shapes.endTry('change')}>Change…</Button>
+        <Button class="solid" act={() => shapes.endTry('take')}>
           Use it
-        </button>
+        </Button>
         <button type="button" class="try-drop" aria-label="Drop it" onClick={() => shapes.endTry('drop')}>
           <Icon name="close" />
         </button>

@@ -3,7 +3,7 @@
 import type { VNode } from 'preact';
 import { kWindow, type AreaMeasure, type LineMeasure, type Measure } from '../../model/measures/measures';
 import type { GroundPoint } from '../../model/plane';
-import { ToolButton } from '../widgets/buttons';
+import { toolButton } from '../widgets/buttons';
 import { NumberField, TextField } from '../widgets/fields';
 import { Plot, type PlotPoint } from './plot';
 
@@ -167,9 +167,9 @@ export function MeasureCard({ one, actions, time }: CardProps & { readonly time:
     <section class="measure-card" aria-label={name}>
       <header>
         <TextField label="" name="Name" value={name} act={(typed) => typed && actions.rename(id, typed)} />
-        <ToolButton icon="watch" label="Hide" iconOnly pressed={hidden} act={() => actions.hide(id, !hidden)} />
-        <ToolButton icon="download" label="Save as CSV" iconOnly act={() => actions.save(id)} />
-        <ToolButton icon="close" label="Remove" iconOnly act={() => actions.remove(id)} />
+        {toolButton('watch', 'Hide', () => actions.hide(id, !hidden), { iconOnly: true, pressed: hidden })}
+        {toolButton('download', 'Save as CSV', () => actions.save(id), { iconOnly: true })}
+        {toolButton('close', 'Remove', () => actions.remove(id), { iconOnly: true })}
       </header>
       {one.kind === 'line' ? <LineResults one={one} time={time} /> : <AreaResults one={one} time={time} />}
       <details>

@@ -2,7 +2,7 @@
 
 import { render, type VNode } from 'preact';
 import type { Measures } from '../../model/measures/measures';
-import { ToolButton } from '../widgets/buttons';
+import { Button, toolButton } from '../widgets/buttons';
 import { element } from '../widgets/dom';
 import { Figures, MeasureCard, withUnit, type CardActions } from './measure_card';
 import { Plot } from './plot';
@@ -31,7 +31,7 @@ function Evacuation({ of, actions }: { readonly of: Measures; readonly actions: 
     <section class="measure-card measure-evacuation" aria-label="Evacuation">
       <header>
         <h3>Evacuation</h3>
-        <ToolButton icon="download" label="Save the evacuation as CSV" iconOnly act={() => actions.saveEvacuation()} />
+        {toolButton('download', 'Save the evacuation as CSV', () => actions.saveEvacuation(), { iconOnly: true })}
       </header>
       <Figures
         of={{
@@ -83,16 +83,16 @@ export class MeasurePanel {
     const { actions_: actions, measures_: measures, tool_: drawn } = this;
     const { list, time, longestGap: gap } = measures;
     const tool = (name: MeasureTool, label: string): VNode => (
-      <button type="button" class="soft" aria-pressed={name === drawn} onClick={() => actions.draw(name)}>
+      <Button aria-pressed={name === drawn} act={() => actions.draw(name)}>
         {label}
-      </button>
+      </Button>
     );
     render(
       <>
         <header>
           <h2>Measures</h2>
-          <ToolButton icon="download" label="Save all as one CSV table" word="All" act={() => actions.saveAll()} />
-          <ToolButton icon="close" label="Close the measures" iconOnly act={() => actions.leaveMeasures()} />
+          {toolButton('download', 'Save all as one CSV table', () => actions.saveAll(), { word: 'All' })}
+          {toolButton('close', 'Close the measures', () => actions.leaveMeasures(), { iconOnly: true })}
         </header>
         <div class="measure-tools" role="group" aria-label="Draw">
           {tool('line', 'New line')}

@@ -7,7 +7,7 @@ import { classColour, type ClassCount } from '../../model/roles';
 import type { StudioState, ToolName, UnitInfo } from '../../model/studio_state';
 import type { StudioStore } from '../../model/studio_store';
 import type { AreaKindWord } from '../../protocol/generated/words';
-import { ToolButton, type ToolButtonProps } from '../widgets/buttons';
+import { ToolButton, toolButton, type ToolButtonProps } from '../widgets/buttons';
 import { element } from '../widgets/dom';
 import { accentVariable } from '../widgets/group_marks';
 import type { IconName } from '../widgets/icons';
@@ -74,8 +74,8 @@ function unitOf(state: StudioState): Omit<UnitInfo, 'id'> {
   return state.units[state.active] ?? kIdle;
 }
 
-function Tile(props: Omit<ToolButtonProps, 'class'>): VNode {
-  return <ToolButton {...props} class="order-tile" />;
+function tile(icon: IconName, label: string, act: () => void, more: Partial<ToolButtonProps> = {}): VNode {
+  return toolButton(icon, label, act, { ...more, class: 'order-tile' });
 }
 
 interface Props {
@@ -87,9 +87,10 @@ function Tools({ state, actions }: Props): VNode {
   return (
     <div class="order-tools">
       {kTools.map(({ tool, key, needs, ...def }) => (
-        <Tile
+        <ToolButton
           key={tool}
           {...def}
+          class="order-tile"
           shortcut={key}
           pressed={state.tool === tool}
           hidden={needs !== undefined && !state.areas.some(({ kind }) => kind === needs)}
@@ -112,51 +113,36 @@ function Buttons({ state, actions }: Props): VNode {
   } as const;
   return (
     <div class="order-buttons">
-      <Tile
-        icon="words"
-        label="Words"
-        shortcut="/"
-        pressed={state.words}
-        tip="Say in words what they are to do"
-        data={{ 'data-tool': 'words' }}
-        act={() => actions.toggleWords()}
-      />
-      <Tile icon="stop" label="Stop" shortcut="S" tip="Drops all orders and stands" act={() => actions.stop()} />
-      <Tile
-        icon="hold"
-        label={unit.held ? 'Go on' : 'Hold'}
-        shortcut="K"
-        pressed={unit.held}
-        tip="Stands still and keeps its orders"
-        act={() => actions.toggleHold()}
-      />
-      <Tile
-        icon="patrol"
-        label="Patrol"
-        shortcut="B"
-        pressed={unit.patrols}
-        tip="Goes through its orders again and again"
-        act={() => actions.togglePatrol()}
-      />
+      {tile('words', 'Words', () => actions.toggleWords(), {
+        shortcut: '/',
+        pressed: state.words,
+        tip: 'Say in words what they are to do',
+        data: { 'data-tool': 'words' },
+      })}
+      {tile('stop', 'Stop', () => actions.stop(), { shortcut: 'S', tip: 'Drops all orders and stands' })}
+      {tile('hold', unit.held ? 'Go on' : 'Hold', () => actions.toggleHold(), {
+        shortcut: 'K',
+        pressed: unit.held,
+        tip: 'Stands still and keeps its orders',
+      })}
+      {tile('patrol', 'Patrol', () => actions.togglePatrol(), {
+        shortcut: 'B',
+        pressed: unit.patrols,
+        tip: 'Goes through its orders again and again',
+      })}
       <Menu opener={conduct} class="order-details" label="Conduct" placement="left-start" besidePanel>
         {() => <ConductSettings style={state.style} conduct={unit.conduct} actions={actions} />}
       </Menu>
-      <Tile
-        icon="undo"
-        label="Undo"
-        shortcut="Z"
-        idle={undo === 0}
-        tip={undo > 0 ? `Takes back: ${undoLabel}` : 'Takes back what you did last'}
-        act={() => actions.undo()}
-      />
-      <Tile
-        icon="redo"
-        label="Redo"
-        shortcut="Shift+Z"
-        idle={redo === 0}
-        tip={redo > 0 ? `Does again: ${redoLabel}` : 'Does again what you took back'}
-        act={() => actions.undo(true)}
-      />
+      {tile('undo', 'Undo', () => actions.undo(), {
+        shortcut: 'Z',
+        idle: undo === 0,
+        tip: undo > 0 ? `Takes back: ${undoLabel}` : 'Takes back what you did last',
+      })}
+      {tile('redo', 'Redo', () => actions.undo(true), {
+        shortcut: 'Shift+Z',
+        idle: redo === 0,
+        tip: redo > 0 ? `Does again: ${redoLabel}` : 'Does again what you took back',
+      })}
     </div>
   );
 }

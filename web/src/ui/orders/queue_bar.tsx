@@ -5,15 +5,16 @@ import type { VNode } from 'preact';
 import type { OrderActions } from '../../model/order_actions';
 import type { QueueItem, StudioState } from '../../model/studio_state';
 import type { StudioStore } from '../../model/studio_store';
-import { ToolButton, type ToolButtonProps } from '../widgets/buttons';
+import { toolButton, type ToolButtonProps } from '../widgets/buttons';
 import { element } from '../widgets/dom';
 import { accentVariable } from '../widgets/group_marks';
+import type { IconName } from '../widgets/icons';
 import { drawPanel } from '../widgets/panel';
 import { RowDrag } from '../widgets/row_drag';
 import { ToolbarFocus } from '../widgets/toolbar_focus';
 
-function Act(props: Omit<ToolButtonProps, 'class' | 'iconSize'>): VNode {
-  return <ToolButton {...props} class="queue-act" iconSize={18} />;
+function act(icon: IconName, label: string, run: () => void, more: Partial<ToolButtonProps> = {}): VNode {
+  return toolButton(icon, label, run, { ...more, class: 'queue-act', iconSize: 18 });
 }
 
 function nameOf({ word, span, arrives }: QueueItem, index: number): string {
@@ -87,33 +88,16 @@ export class QueueBar {
     return (
       <div class="queue-acts" hidden={index < 0}>
         <span class="queue-title">{inserting ? `Draw it, before ${index + 1}` : `Order ${index + 1}`}</span>
-        <Act
-          icon="plus"
-          label="Insert"
-          tip="The next order that is drawn comes before this one"
-          pressed={inserting}
-          act={() => actions.insertBefore(picked)}
-        />
-        <Act
-          icon="earlier"
-          label="Earlier"
-          tip="Comes before the one before it"
-          idle={index <= 0}
-          act={() => this.move(-1)}
-        />
-        <Act
-          icon="later"
-          label="Later"
-          tip="Comes after the one after it"
-          idle={index + 1 >= queue.length}
-          act={() => this.move(1)}
-        />
-        <Act
-          icon="close"
-          label="Cancel"
-          tip="Takes this order out of the queue"
-          act={() => actions.cancelOrder(picked)}
-        />
+        {act('plus', 'Insert', () => actions.insertBefore(picked), {
+          tip: 'The next order that is drawn comes before this one',
+          pressed: inserting,
+        })}
+        {act('earlier', 'Earlier', () => this.move(-1), { tip: 'Comes before the one before it', idle: index <= 0 })}
+        {act('later', 'Later', () => this.move(1), {
+          tip: 'Comes after the one after it',
+          idle: index + 1 >= queue.length,
+        })}
+        {act('close', 'Cancel', () => actions.cancelOrder(picked), { tip: 'Takes this order out of the queue' })}
       </div>
     );
   }
@@ -123,20 +107,14 @@ export class QueueBar {
     const appends = style.mode === 'append';
     return (
       <>
-        <Act
-          icon="plus"
-          label="Add"
-          tip="New orders come last, as with Shift"
-          pressed={appends}
-          act={() => actions.setStyle({ mode: appends ? 'replace' : 'append' })}
-        />
-        <Act
-          icon="places"
-          label="On the way"
-          tip="Formations that the group changes to on the way"
-          act={() => this.store_.set({ sequencing: true })}
-        />
-        <Act icon="step" label="Skip" shortcut="Y" tip="Goes on to the next order" act={() => actions.skipOrder()} />
+        {act('plus', 'Add', () => actions.setStyle({ mode: appends ? 'replace' : 'append' }), {
+          tip: 'New orders come last, as with Shift',
+          pressed: appends,
+        })}
+        {act('places', 'On the way', () => this.store_.set({ sequencing: true }), {
+          tip: 'Formations that the group changes to on the way',
+        })}
+        {act('step', 'Skip', () => actions.skipOrder(), { shortcut: 'Y', tip: 'Goes on to the next order' })}
       </>
     );
   }

@@ -2,7 +2,7 @@
 
 import { render } from 'preact';
 import type { Said } from '../../protocol/messages';
-import { ToolButton } from '../widgets/buttons';
+import { toolButton } from '../widgets/buttons';
 import { element } from '../widgets/dom';
 
 export interface WordsActions {
@@ -35,7 +35,9 @@ export class WordsLine {
     this.root.hidden = !open;
     this.active_ = -1;
     this.draw();
-    if (open) this.field_?.focus({ preventScroll: true });
+    if (!open) return;
+    this.field_?.focus({ preventScroll: true });
+    this.field_?.select();
   }
 
   /** What the sentence would do. */
@@ -113,15 +115,12 @@ export class WordsLine {
             onInput={(event) => this.type(event.currentTarget.value)}
             onKeyDown={this.pressed}
           />
-          <ToolButton
-            icon="resume"
-            label="Do it"
-            iconOnly
-            shortcut="Enter"
-            disabled={!this.text_.trim()}
-            act={() => this.say()}
-          />
-          <ToolButton icon="close" label="Leave words" iconOnly shortcut="Esc" act={() => this.actions_.leave()} />
+          {toolButton('resume', 'Do it', () => this.say(), {
+            iconOnly: true,
+            shortcut: 'Enter',
+            disabled: !this.text_.trim(),
+          })}
+          {toolButton('close', 'Leave words', () => this.actions_.leave(), { iconOnly: true, shortcut: 'Esc' })}
         </div>
         <ul id={kList} role="listbox" aria-label="What may come next" hidden={shown.length === 0}>
           {shown.map(({ words }, k) => (

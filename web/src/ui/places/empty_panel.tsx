@@ -2,7 +2,7 @@
 
 import type { StudioActions } from '../../model/studio_actions';
 import type { StudioStore } from '../../model/studio_store';
-import { Icon } from '../widgets/buttons';
+import { Button } from '../widgets/buttons';
 import { element } from '../widgets/dom';
 import { drawPanel } from '../widgets/panel';
 
@@ -27,14 +27,13 @@ export class EmptyPanel {
           </p>
           {!waiting && (
             <div class="empty-choices">
-              <button type="button" class="soft" onClick={() => actions.openDialog('group')}>
-                <Icon name="plus" />
+              <Button icon="plus" act={() => actions.openDialog('group')}>
                 Add a group
-              </button>
+              </Button>
               {state.scenarios.slice(0, kOffered).map(({ name, title }) => (
-                <button key={name} type="button" class="soft" onClick={() => actions.loadScenario(name)}>
+                <Button key={name} act={() => actions.loadScenario(name)}>
                   {title || name}
-                </button>
+                </Button>
               ))}
             </div>
           )}

@@ -1,26 +1,23 @@
 // Places are loaded when somebody opens their dialog, edits, or has something of theirs to see.
 
-import { problem } from '../../protocol/problem';
+import { couldNotLoad, once } from '../widgets/lazily';
 import { hasAutosave, placeBefore, rememberPlace } from './place_autosave';
 import type { PlaceController, PlaceParts } from './place_controller';
 import { placesWithScenery } from './place_shelf';
 
 export function openPlacesLazily(parts: PlaceParts): void {
   const { store, client } = parts;
-  let controller: Promise<PlaceController> | null = null;
-  const loaded = (): Promise<PlaceController> => {
-    controller ??= import('./place_controller').then((module) => new module.PlaceController(parts));
-    return controller;
-  };
-  const failed = (): void => {
-    controller = null;
-    store.set({ places: 'none', notice: problem('page', 'The server does not answer: try again.') });
-  };
-  store.watch(['places'], ({ places }) => {
-    if (places !== 'none' && !controller) loaded().catch(failed);
+  const loaded = once(async () => {
+    const module = await import('./place_controller');
+    return new module.PlaceController(parts);
   });
+  const use = (act: (places: PlaceController) => unknown = () => undefined): void =>
+    void loaded().then(act, () => couldNotLoad(store, { places: 'none' }));
+  store.watch(['places'], ({ places }) => places !== 'none' && use());
+  let edits = false;
   client.on('editHistory', (history) => {
-    if (history.edited || controller) loaded().then((one) => one.setHistory(history), failed);
+    edits ||= history.edited;
+    if (edits) use((one) => one.setHistory(history));
   });
   // Another place has its welcome, too: a server is asked once.
   let isNew = true;
@@ -33,10 +30,10 @@ export function openPlacesLazily(parts: PlaceParts): void {
   client.on('welcome', () => {
     const asks = isNew && hasAutosave();
     isNew = false;
-    if (asks) loaded().then((one) => one.offerKept(was), failed);
+    if (asks) use((one) => one.offerKept(was));
   });
   store.watch(['title', 'replaying'], ({ title, replaying }) => {
     if (title !== '' && !replaying) rememberPlace(title);
-    if (!controller && placesWithScenery(() => window.localStorage).includes(title)) loaded().catch(failed);
+    if (placesWithScenery(() => window.localStorage).includes(title)) use();
   });
 }

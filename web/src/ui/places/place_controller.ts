@@ -1,5 +1,6 @@
 // Places in the page: the dialog, the browser's shelf, import, autosave, and models that are shown as scenery.
 
+import { h, render } from 'preact';
 import type { StudioClient } from '../../link/studio_client';
 import { allowed, openingOf } from '../../model/consent';
 import { sentenceOf } from '../../model/file_trouble';
@@ -19,18 +20,16 @@ import { problem, word } from '../../protocol/problem';
 import type { StudioScene } from '../../scene/studio_scene';
 import '../styles/shelf.css';
 import '../styles/places.css';
-import { placeBanner } from './place_banner';
-import { PlaceDialog } from './place_dialog';
+import { KeptBanner, PlaceDialog } from './place_dialog';
+import { importOf } from './place_import';
 import { PlaceAutosave } from './place_autosave';
 import { PlaceLink } from './place_link';
 import { readSource } from './place_reader';
 import { PlaceShelf } from './place_shelf';
-import { takePicture } from '../../scene/scene_picture';
+import { keptPicture } from '../../scene/scene_picture';
 import { saveBlob } from '../../link/answers';
+import { element } from '../widgets/dom';
 
-const kPicture = { width: 320, height: 180 };
-/** A picture that takes longer is done without [ms]. */
-const kPictureWait = 1500;
 /** The server's answer is waited for so long [ms]. */
 const kAnswerWait = 8000;
 
@@ -51,6 +50,7 @@ export class PlaceController implements PlaceActions {
     shelf: this.shelf_,
     picture: () => this.picture(),
   });
+  private readonly banner_ = element('section', { class: 'banner panel place-banner', role: 'status', hidden: true });
   private readonly dialog_: PlaceDialog;
   private places_: readonly KeptPlace[] = [];
   private restore_: (() => Promise<void>) | null = null;
@@ -60,11 +60,9 @@ export class PlaceController implements PlaceActions {
 
   constructor(private readonly parts_: PlaceParts) {
     const { store, client, page } = parts_;
-    this.dialog_ = new PlaceDialog(this, () => {
-      // Its event comes late: a file that fell on the page meanwhile may have opened it again.
-      if (!this.dialog_.root.open) store.set({ places: 'none', placeFiles: [] });
-    });
+    this.dialog_ = new PlaceDialog(this, () => this.close());
     page.append(this.dialog_.root);
+    (page.querySelector('.banners') ?? page).append(this.banner_);
     store.watch(['places', 'placeFiles'], ({ places, placeFiles }) => this.shown(places, placeFiles));
     store.watch(['title'], ({ title }) => void this.showScenery(title));
     client.on('scene', () => this.autosave_.changed());
@@ -79,15 +77,14 @@ export class PlaceController implements PlaceActions {
   }
 
   private close(): void {
-    this.dialog_.root.close();
+    this.show('none');
   }
 
   private shown(view: PlacesView, files: readonly File[]): void {
-    if (view === 'none') return this.close();
-    this.dialog_.show(view);
-    if (view === 'save') this.dialog_.setName(this.parts_.store.state.title || 'Place');
+    const name = this.parts_.store.state.title || 'Place';
+    this.dialog_.show({ view, said: '', ...(view === 'save' && { name, saved: '' }) });
     if (view === 'shelf') {
-      this.dialog_.list.forgetUndo();
+      this.dialog_.show({ removed: null });
       void this.refresh();
     }
     if (files.length > 0) void (view === 'import' ? this.readFiles(files) : this.openFile(files[0]!));
@@ -99,7 +96,7 @@ export class PlaceController implements PlaceActions {
     void this.parts_.files.open(files).then(() => {
       const { notice, placeFiles } = store.state;
       // A dialog hides the banner: it says itself what is wrong. What is no place is opened elsewhere.
-      if (notice && notice !== before.notice) this.dialog_.say(notice.text);
+      if (notice && notice !== before.notice) this.dialog_.show({ said: notice.text });
       else if (placeFiles === before.placeFiles) this.close();
     });
   }
@@ -110,7 +107,7 @@ export class PlaceController implements PlaceActions {
       await work();
     } catch (error) {
       const text = sentenceOf(error, 'The file cannot be used: parts of it are damaged.');
-      if (this.dialog_.root.open) this.dialog_.say(text);
+      if (this.dialog_.isOpen) this.dialog_.show({ said: text });
       else this.parts_.store.set({ notice: problem('place', text) });
     }
   }
@@ -121,7 +118,7 @@ export class PlaceController implements PlaceActions {
 
   private async refresh(): Promise<void> {
     this.places_ = await this.shelf_.list();
-    this.dialog_.setPlaces(this.places_);
+    this.dialog_.show({ places: this.places_ });
   }
 
   // Opening.
@@ -204,11 +201,12 @@ export class PlaceController implements PlaceActions {
     void this.tried(async () => {
       this.restore_ = await this.shelf_.remove(place.id);
       await this.refresh();
-      this.dialog_.list.offerUndo(place);
+      this.dialog_.show({ removed: place });
     });
   }
 
   restorePlace(): void {
+    this.dialog_.show({ removed: null });
     void this.tried(async () => {
       await this.restore_?.();
       this.restore_ = null;
@@ -256,7 +254,7 @@ export class PlaceController implements PlaceActions {
     const auto = (await this.shelf_.list()).find((one) => one.auto && one.name === present);
     if (auto) await this.shelf_.remove(auto.id);
     this.autosave_.saved(name);
-    this.dialog_.saySaved(this.savedText(kept));
+    this.dialog_.show({ saved: this.savedText(kept) });
     return kept;
   }
 
@@ -280,9 +278,7 @@ export class PlaceController implements PlaceActions {
   }
 
   private picture(): Promise<Blob | null> {
-    const { view, canvas } = this.parts_;
-    const late = new Promise<null>((done) => window.setTimeout(() => done(null), kPictureWait));
-    return Promise.race([takePicture(view, canvas, kPicture.width, kPicture.height), late]);
+    return keptPicture(this.parts_.view, this.parts_.canvas);
   }
 
   // Import.
@@ -294,7 +290,7 @@ export class PlaceController implements PlaceActions {
         (text) => JSON.parse(text) as PlaceDefinition,
         () => null,
       );
-      this.dialog_.import.open(source, present, this.parts_.view.attention());
+      this.dialog_.show({ importing: importOf(source, present, this.parts_.view.attention()) });
     });
   }
 
@@ -355,15 +351,15 @@ export class PlaceController implements PlaceActions {
 
   /** `was`: the title of the place that was shown before. */
   async offerKept(was: string): Promise<void> {
-    const { page } = this.parts_;
     const place = await this.autosave_.lost(was);
-    page.querySelector('.place-banner')?.remove();
+    this.banner_.hidden = !place;
     if (!place) return;
-    const banner = placeBanner(
-      place,
-      () => this.openPlace(place),
-      () => this.autosave_.markSeen(place),
-    );
-    (page.querySelector('.banners') ?? page).append(banner);
+    const choice = (act: () => void) => (): void => {
+      this.banner_.hidden = true;
+      act();
+    };
+    const open = choice(() => this.openPlace(place));
+    const dismiss = choice(() => this.autosave_.markSeen(place));
+    render(h(KeptBanner, { place, open, dismiss }), this.banner_);
   }
 }

@@ -1,11 +1,11 @@
 // A link to a place or a take on this studio, with its QR code, and who can open it.
 
-import { render, type VNode } from 'preact';
+import { Component, render, type VNode } from 'preact';
 import { localLink, type LocalLink, type SharedThing } from '../../link/local_link';
-import { Icon } from '../widgets/buttons';
+import { Button } from '../widgets/buttons';
+import { Modal } from '../widgets/dialog';
 import { element } from '../widgets/dom';
-import { Held } from '../widgets/held';
-import { qrPicture } from '../widgets/qr_picture';
+import { QrPicture } from '../widgets/qr_picture';
 import '../styles/share.css';
 
 const kOthers = 'Everybody in your network can open it, as long as this studio runs.';
@@ -24,69 +24,59 @@ async function copy(field: HTMLInputElement): Promise<boolean> {
   }
 }
 
-class ShareDialog {
-  readonly root = element('dialog', { class: 'help share-dialog', 'aria-labelledby': 'share-title' });
-  private said_ = '';
+interface ShareProps {
+  readonly thing: SharedThing;
+  readonly found: LocalLink;
+  readonly close: () => void;
+}
 
-  constructor(
-    private readonly thing_: SharedThing,
-    private readonly found_: LocalLink,
-  ) {
-    this.root.addEventListener('close', () => this.root.remove());
-    this.root.addEventListener('click', (event) => event.target === this.root && this.root.close());
-    this.draw();
-  }
+class ShareDialog extends Component<ShareProps, { readonly said: string }> {
+  override state = { said: '' };
 
   private row(label: string, link: string): VNode {
     let field: HTMLInputElement | null = null;
-    const pressed = (): void => {
+    const pressed = async (): Promise<void> => {
       if (!field) return;
-      void copy(field).then((done) => {
-        this.said_ = done ? 'Link copied.' : 'The link is selected: copy it with Ctrl+C.';
-        this.draw();
-      });
+      const done = await copy(field);
+      this.setState({ said: done ? 'Link copied.' : 'The link is selected: copy it with Ctrl+C.' });
     };
     return (
       <div class="share-row">
         <input type="text" readonly value={link} aria-label={label} ref={(made) => void (field = made)} />
-        <button type="button" class="solid" onClick={pressed}>
-          <Icon name="link" />
+        <Button icon="link" class="solid" act={() => void pressed()}>
           Copy link
-        </button>
+        </Button>
       </div>
     );
   }
 
-  private draw(): void {
-    const { link, here, site, code } = this.found_;
-    render(
-      <>
-        <header>
-          <h2 id="share-title">{`Share “${this.thing_.title}”`}</h2>
-          <button type="button" aria-label="Close" onClick={() => this.root.close()}>
-            <Icon name="close" />
-          </button>
-        </header>
+  override render({ thing, found: { link, here, site, code }, close }: ShareProps): VNode {
+    return (
+      <Modal title={`Share “${thing.title}”`} class="help share-dialog" close={close}>
         <div class="share-body">
           {this.row('Link', link)}
           <p class="secondary">{here ? kOnlyHere : kOthers}</p>
-          {code.length > 0 && !here && <Held key="code" make={() => qrPicture(code)} />}
+          {code.length > 0 && !here && <QrPicture rows={code} />}
           {site !== '' && this.row('Link to your site', site)}
           {site !== '' && <p class="secondary">{kSite}</p>}
-          {code.length > 0 && here && <Held key="code" make={() => qrPicture(code)} />}
+          {code.length > 0 && here && <QrPicture rows={code} />}
           <p class="share-said" role="status">
-            {this.said_}
+            {this.state.said}
           </p>
         </div>
-      </>,
-      this.root,
+      </Modal>
     );
   }
 }
 
 /** Throws a sentence where there is no link. */
 export async function showShare(thing: SharedThing): Promise<void> {
-  const dialog = new ShareDialog(thing, await localLink(thing));
-  document.body.append(dialog.root);
-  dialog.root.showModal();
+  const found = await localLink(thing);
+  const root = element('div', { class: 'dialogs' });
+  document.body.append(root);
+  const close = (): void => {
+    render(null, root);
+    root.remove();
+  };
+  render(<ShareDialog thing={thing} found={found} close={close} />, root);
 }

@@ -225,21 +225,25 @@ export class CameraController {
     if (!frame) return [];
     const { clientWidth: width, clientHeight: height } = this.host_.canvas;
     const padding = this.host_.padding();
-    const arrows: CrowdArrow[] = [];
-    this.host_.store.state.groups.forEach((group, index) => {
-      const members = this.membersOf(frame, index);
-      if (members.length === 0) return;
-      let [seen, x, y] = [0, 0, 0];
-      for (let i = 0; i < members.length; i += 2) {
-        const at = this.host_.view.worldToScreen({ x: members[i]!, y: members[i + 1]! });
-        x += (2 * at.x) / members.length;
-        y += (2 * at.y) / members.length;
-        if (at.x > 0 && at.x < width && at.y > 0.5 * padding.top && at.y < height - 0.7 * padding.bottom) seen += 1;
-      }
-      if (seen >= (kSeen * members.length) / 2) return;
-      arrows.push({ index, id: group.id, ...arrowAt({ x, y }, padding, width, height) });
+    const { groups } = this.host_.store.state;
+    const found = groups.map(() => ({ count: 0, seen: 0, x: 0, y: 0 }));
+    const point = { x: 0, y: 0 };
+    for (let i = 0; i < frame.x.length; ++i) {
+      const group = found[this.group_[i] ?? -1];
+      if (!group) continue;
+      point.x = frame.x[i]!;
+      point.y = frame.y[i]!;
+      const at = this.host_.view.worldToScreen(point);
+      group.count += 1;
+      group.x += at.x;
+      group.y += at.y;
+      if (at.x > 0 && at.x < width && at.y > 0.5 * padding.top && at.y < height - 0.7 * padding.bottom) group.seen += 1;
+    }
+    return groups.flatMap(({ id }, index) => {
+      const { count, seen, x, y } = found[index]!;
+      if (count === 0 || seen >= kSeen * count) return [];
+      return [{ index, id, ...arrowAt({ x: x / count, y: y / count }, padding, width, height) }];
     });
-    return arrows;
   }
 }
 

@@ -7,7 +7,7 @@ import { standingSum } from '../../model/standing';
 import type { StudioActions } from '../../model/studio_actions';
 import type { GroupInfo, StudioState } from '../../model/studio_state';
 import type { StudioStore } from '../../model/studio_store';
-import { ToolButton } from '../widgets/buttons';
+import { toolButton } from '../widgets/buttons';
 import { ChipDrag } from '../widgets/chip_drag';
 import { element } from '../widgets/dom';
 import { GroupMark } from '../widgets/group_icons';
@@ -43,13 +43,10 @@ export class GroupChips {
     drawPanel(this.root, store, ['groups', 'active', 'selected', 'standings'], (state) => (
       <>
         {state.groups.map((group, i) => this.chip(group, i, state))}
-        <ToolButton
-          icon="plus"
-          label="Add a group"
-          iconOnly
-          class="add-group"
-          act={() => this.actions_.openDialog('group')}
-        />
+        {toolButton('plus', 'Add a group', () => this.actions_.openDialog('group'), {
+          iconOnly: true,
+          class: 'add-group',
+        })}
       </>
     ));
     this.focus_ = new ToolbarFocus(this.root, store);

@@ -6,7 +6,7 @@ import { isLost, type StudioState } from '../../model/studio_state';
 import type { StudioStore } from '../../model/studio_store';
 import type { Layers } from '../../model/view_settings';
 import { OverlayKind } from '../../protocol/messages';
-import { ToolButton } from '../widgets/buttons';
+import { toolButton, ToolButton } from '../widgets/buttons';
 import { element } from '../widgets/dom';
 import { drawPanel } from '../widgets/panel';
 import { ToolbarFocus } from '../widgets/toolbar_focus';
@@ -100,23 +100,17 @@ export class LayerBar {
         <>
           <Switches state={state} actions={actions} />
           <span class="divider" />
-          <ToolButton
-            icon={dark ? 'sun' : 'moon'}
-            label={dark ? 'Light colours' : 'Dark colours'}
-            iconOnly
-            shortcut="N"
-            class="theme-button"
-            act={() => actions.toggleTheme()}
-          />
-          <ToolButton
-            icon="help"
-            label="Help"
-            iconOnly
-            shortcut="H"
-            tip="All gestures and keys"
-            class="help-button"
-            act={() => actions.showHelp(true)}
-          />
+          {toolButton(dark ? 'sun' : 'moon', dark ? 'Light colours' : 'Dark colours', () => actions.toggleTheme(), {
+            iconOnly: true,
+            shortcut: 'N',
+            class: 'theme-button',
+          })}
+          {toolButton('help', 'Help', () => actions.showHelp(true), {
+            iconOnly: true,
+            shortcut: 'H',
+            tip: 'All gestures and keys',
+            class: 'help-button',
+          })}
         </>
       );
     });

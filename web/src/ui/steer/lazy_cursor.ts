@@ -4,12 +4,14 @@ import type { StudioScene } from '../../scene/studio_scene';
 import type { HandMoves, Padding } from '../../scene/camera/camera_controls';
 import type { Scene } from '../../protocol/messages';
 import type { StudioFrame } from '../../model/studio_frame';
+import type { GroundPoint } from '../../model/plane';
 import type { ToolName } from '../../model/studio_state';
 import type { StudioStore } from '../../model/studio_store';
 import type { StudioClient } from '../../link/studio_client';
 import type { Contact, ContactOwner } from '../../tools/contact';
 import type { CursorHost, GroundCursor } from '../../tools/ground_cursor';
 import type { ArrowKey } from '../../tools/keyboard_steering';
+import { couldNotLoad, once } from '../widgets/lazily';
 
 export interface CursorParts {
   readonly client: Pick<StudioClient, 'on'>;
@@ -21,6 +23,13 @@ export interface CursorParts {
   choose(contact: Contact): ContactOwner;
   frame(): StudioFrame | null;
   say(text: string): void;
+}
+
+/** Who draws on the ground instead of the tools of the scene. */
+export interface CursorUser {
+  choose(contact: Contact): ContactOwner;
+  /** As CursorHost.picks(), asked once a stroke has begun. */
+  picks(): boolean;
 }
 
 const kPicks: readonly ToolName[] = ['follow', 'leave', 'wait', 'place'];
@@ -43,8 +52,9 @@ export function roomWithin(
 export class LazyCursor {
   private parts_: CursorParts | null = null;
   private scene_: Scene | null = null;
-  private loading_: Promise<GroundCursor> | null = null;
   private cursor_: GroundCursor | null = null;
+  private user_: CursorUser | null = null;
+  private readonly loaded_ = once(() => this.load(this.parts_!));
 
   serve(parts: CursorParts): void {
     const { client, store, canvas } = parts;
@@ -55,17 +65,38 @@ export class LazyCursor {
     store.watch(['tool'], () => this.showOrHide());
   }
 
+  /** Null gives it back to the tools of the scene. */
+  lend(user: CursorUser | null): void {
+    this.cursor_?.hide();
+    this.user_ = user;
+  }
+
+  hide(): void {
+    this.cursor_?.hide();
+  }
+
+  /** The keys go on to the ground, where the cursor is shown. */
+  focus(): void {
+    this.parts_?.canvas.focus();
+    void this.loaded().then((cursor) => cursor.show());
+  }
+
+  /** Where it is shown; null while it is away. */
+  get at(): GroundPoint | null {
+    return this.parts_?.view.orders.cursor ?? null;
+  }
+
   /** True where arrows and Enter are the cursor's. */
   get takesKeys(): boolean {
-    return this.parts_?.store.state.tool !== 'steer';
+    return this.user_ !== null || this.parts_?.store.state.tool !== 'steer';
   }
 
   arrow(key: ArrowKey, long: boolean): void {
-    void this.loaded().then((cursor) => cursor.arrow(key, long));
+    this.use((cursor) => cursor.arrow(key, long));
   }
 
   press(shift: boolean): void {
-    void this.loaded().then((cursor) => cursor.press(shift));
+    this.use((cursor) => cursor.press(shift));
   }
 
   giveUp(): boolean {
@@ -75,11 +106,11 @@ export class LazyCursor {
   /** Who works with keys sees it as soon as the tool is in hand. */
   private showOrHide(): void {
     if (!this.takesKeys) return this.cursor_?.hide();
-    if (this.parts_?.canvas.matches(':focus-visible')) void this.loaded().then((cursor) => cursor.show());
+    if (this.parts_?.canvas.matches(':focus-visible')) this.use((cursor) => cursor.show());
   }
 
-  private loaded(): Promise<GroundCursor> {
-    return (this.loading_ ??= this.load(this.parts_!));
+  private use(act: (cursor: GroundCursor) => void): void {
+    void this.loaded_().then(act, () => couldNotLoad(this.parts_!.store));
   }
 
   private async load(parts: CursorParts): Promise<GroundCursor> {
@@ -93,8 +124,8 @@ export class LazyCursor {
       camera,
       show: (at) => (view.orders.cursor = at),
       room: () => roomWithin(canvas, parts.padding()),
-      choose: (contact) => parts.choose(contact),
-      picks: () => kPicks.includes(store.state.tool),
+      choose: (contact) => (this.user_ ?? parts).choose(contact),
+      picks: () => this.user_?.picks() ?? kPicks.includes(store.state.tool),
       words: (at) => {
         const groups = (parts.frame()?.groups ?? []).map((group) => ({
           ...group,

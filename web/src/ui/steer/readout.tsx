@@ -9,7 +9,7 @@ import { standingSum } from '../../model/standing';
 import type { StudioActions } from '../../model/studio_actions';
 import type { StudioState } from '../../model/studio_state';
 import type { StudioStore } from '../../model/studio_store';
-import { Icon } from '../widgets/buttons';
+import { Button, Icon } from '../widgets/buttons';
 import { element } from '../widgets/dom';
 import { Held } from '../widgets/held';
 import { drawPanel } from '../widgets/panel';
@@ -119,14 +119,9 @@ export class Readout {
         <>
           <Words state={state} actions={actions} />
           {barred !== '' && (
-            <button
-              type="button"
-              class="soft plain-show"
-              data-tip={`${barred}: shows them`}
-              onClick={() => actions.showBarred()}
-            >
+            <Button class="soft plain-show" data-tip={`${barred}: shows them`} act={() => actions.showBarred()}>
               Show
-            </button>
+            </Button>
           )}
           {state.figures && (
             <div class="figures">

@@ -2,7 +2,7 @@
 
 import type { StudioActions } from '../../model/studio_actions';
 import type { StudioStore } from '../../model/studio_store';
-import { ToolButton } from '../widgets/buttons';
+import { toolButton } from '../widgets/buttons';
 import { element } from '../widgets/dom';
 import { drawPanel } from '../widgets/panel';
 import { ToolbarFocus } from '../widgets/toolbar_focus';
@@ -13,41 +13,29 @@ export class ViewBar {
   constructor(store: StudioStore, actions: StudioActions) {
     drawPanel(this.root, store, ['following', 'build', 'measures', 'replaying'], (state) => (
       <>
-        <ToolButton
-          icon="fit"
-          label="Fit"
-          shortcut="F"
-          tip="Shows the whole crowd and its paths; pressed again, the whole place"
-          act={() => actions.fit()}
-        />
-        <ToolButton
-          icon="camera"
-          label="Track"
-          shortcut="I"
-          class="toggle"
-          pressed={state.following}
-          tip="The camera goes with the crowd"
-          act={() => actions.toggleFollow()}
-        />
-        <ToolButton
-          icon="build"
-          label="Build"
-          shortcut="Shift+E"
-          class="toggle"
-          hidden={state.replaying}
-          pressed={state.build}
-          tip="Builds the place: obstacles, patches, items, people"
-          act={() => store.set({ build: !state.build })}
-        />
-        <ToolButton
-          icon="measure"
-          label="Measures"
-          shortcut="Shift+M"
-          class="toggle"
-          pressed={state.measures}
-          tip="Measures flow, density and evacuation"
-          act={() => store.set({ measures: !state.measures })}
-        />
+        {toolButton('fit', 'Fit', () => actions.fit(), {
+          shortcut: 'F',
+          tip: 'Shows the whole crowd and its paths; pressed again, the whole place',
+        })}
+        {toolButton('camera', 'Track', () => actions.toggleFollow(), {
+          shortcut: 'I',
+          class: 'toggle',
+          pressed: state.following,
+          tip: 'The camera goes with the crowd',
+        })}
+        {toolButton('build', 'Build', () => store.set({ build: !state.build }), {
+          shortcut: 'Shift+E',
+          class: 'toggle',
+          hidden: state.replaying,
+          pressed: state.build,
+          tip: 'Builds the place: obstacles, patches, items, people',
+        })}
+        {toolButton('measure', 'Measures', () => store.set({ measures: !state.measures }), {
+          shortcut: 'Shift+M',
+          class: 'toggle',
+          pressed: state.measures,
+          tip: 'Measures flow, density and evacuation',
+        })}
       </>
     ));
     new ToolbarFocus(this.root, store);

@@ -2,7 +2,8 @@
 
 import type { StudioActions } from '../../model/studio_actions';
 import type { StudioStore } from '../../model/studio_store';
-import { Icon } from '../widgets/buttons';
+import { Banner } from '../widgets/banner';
+import { Button } from '../widgets/buttons';
 import { element } from '../widgets/dom';
 import { drawPanel } from '../widgets/panel';
 
@@ -14,16 +15,9 @@ export class WatchBanner {
       this.root.hidden = !demonstrating;
       if (!demonstrating) return null;
       return (
-        <>
-          <Icon name="watch" size={24} />
-          <div class="banner-words">
-            <strong>Demonstration</strong>
-            <span class="secondary">Other hands steer the crowd</span>
-          </div>
-          <button type="button" class="soft" onClick={() => actions.toggleDemonstration()}>
-            Stop
-          </button>
-        </>
+        <Banner icon="watch" title="Demonstration" text="Other hands steer the crowd">
+          <Button act={() => actions.toggleDemonstration()}>Stop</Button>
+        </Banner>
       );
     });
   }

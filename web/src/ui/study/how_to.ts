@@ -1,7 +1,5 @@
 // How each control is used, in a few lines for people.
 
-import { element } from '../widgets/dom';
-
 type Line = readonly [withWhat: string, does: string];
 
 const kTouch: readonly Line[] = [
@@ -30,14 +28,8 @@ const kMesh: readonly Line[] = [
   ['P, Delete', 'pin the control, take it away'],
 ];
 
-function linesOf(scheme: string): readonly Line[] {
+export function linesOf(scheme: string): readonly Line[] {
   if (scheme === 'mouse-paper') return kPaper;
   if (scheme === 'mouse-mesh') return kMesh;
   return scheme.startsWith('mouse') ? kFull : kTouch;
-}
-
-export function howTo(scheme: string): HTMLElement {
-  const list = element('dl', { class: 'study-how' });
-  for (const [withWhat, does] of linesOf(scheme)) list.append(element('dt', {}, withWhat), element('dd', {}, does));
-  return list;
 }

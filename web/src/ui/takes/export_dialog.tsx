@@ -2,7 +2,8 @@
 // progress and a way to stop.
 
 import { render, type ComponentChildren, type VNode } from 'preact';
-import { Icon } from '../widgets/buttons';
+import { Button } from '../widgets/buttons';
+import { Modal } from '../widgets/dialog';
 import { element } from '../widgets/dom';
 import { kExportKinds, kFilmSizes, type ExportChoice, type ExportKind, type ExportRange } from './export_kinds';
 
@@ -143,7 +144,8 @@ function Kinds({
 }
 
 export class ExportDialog {
-  readonly root = element('dialog', { class: 'export-dialog', 'aria-labelledby': 'export-title' });
+  readonly root = element('div', { class: 'dialogs' });
+  private open_ = false;
   private range_ = kNobody;
   private fields_: Fields;
   private running_ = false;
@@ -159,10 +161,6 @@ export class ExportDialog {
     const kind = Object.values(kExportKinds).flat().find(offered_)!.name;
     const look = { fps: '30', size: '1280 × 720', clean: true, sky: true, shadows: true };
     this.fields_ = { kind, ...look, from: '', to: '', groups: [], first: '', last: '' };
-    this.root.addEventListener('close', () => {
-      clearTimeout(this.asking_);
-      actions_.cancel();
-    });
     this.root.addEventListener('keydown', (event) => event.stopPropagation());
   }
 
@@ -188,9 +186,9 @@ export class ExportDialog {
     const [from, to] = [String(range.from), String(range.to)];
     this.fields_ = { ...this.fields_, from, to, groups: [], first: '', last: '' };
     this.said_ = '';
-    this.setRunning(false);
+    this.open_ = true;
+    this.running_ = false;
     this.change({});
-    if (!this.root.open) this.root.showModal();
     this.root.querySelector<HTMLInputElement>('input:checked')?.focus();
   }
 
@@ -203,13 +201,13 @@ export class ExportDialog {
     this.running_ = running;
     if (running) this.setProgress(0);
     this.draw();
-    if (this.root.open) this.keepFocus(running);
+    if (this.open_) this.keepFocus(running);
   }
 
   /** What had the focus has gone: without any, Escape would not close the dialog. */
   private keepFocus(running: boolean): void {
     const { activeElement } = document;
-    const stays = activeElement?.closest('.export-dialog') === this.root && !activeElement.closest('[hidden]');
+    const stays = this.root.contains(activeElement) && !activeElement?.closest('[hidden]');
     if (!stays || running) this.root.querySelector<HTMLElement>(running ? '.export-stop' : '.export-begin')?.focus();
   }
 
@@ -228,22 +226,30 @@ export class ExportDialog {
   };
 
   private async askSize(): Promise<void> {
+    const { fields_: asked } = this;
     const size = await this.actions_.size(this.chosen);
-    if (size === null) return;
+    // What is said of an older choice is no longer true.
+    if (size === null || asked !== this.fields_) return;
     this.size_ = size;
     this.draw();
   }
 
+  private readonly close = (): void => {
+    this.open_ = false;
+    clearTimeout(this.asking_);
+    this.actions_.cancel();
+    this.draw();
+  };
+
   private draw(): void {
+    render(this.open_ && this.content(), this.root);
+  }
+
+  private content(): VNode {
     const { running_: running, fields_: fields, change } = this;
-    render(
-      <>
-        <header>
-          <h2 id="export-title">Export “{this.range_.title}”</h2>
-          <button type="button" aria-label="Close the export" onClick={() => this.root.close()}>
-            <Icon name="close" />
-          </button>
-        </header>
+    const title = `Export “${this.range_.title}”`;
+    return (
+      <Modal title={title} class="help export-dialog" closes="Close the export" close={this.close}>
         <Kinds offered={this.offered_} kind={fields.kind} busy={running} choose={(kind) => change({ kind })} />
         <fieldset class="export-rows" disabled={running}>
           <legend class="unseen">Part and look</legend>
@@ -258,21 +264,19 @@ export class ExportDialog {
         </p>
         <div class="export-running" hidden={!running}>
           <progress max={1} value={this.share_} aria-label="Progress of the export" />
-          <button type="button" class="soft export-stop" onClick={() => this.actions_.cancel()}>
+          <Button class="soft export-stop" act={() => this.actions_.cancel()}>
             Cancel
-          </button>
+          </Button>
         </div>
-        <button
-          type="button"
+        <Button
+          icon="download"
           class="solid export-begin"
           hidden={running}
-          onClick={() => this.actions_.begin(this.chosen)}
+          act={() => this.actions_.begin(this.chosen)}
         >
-          <Icon name="download" />
           Export
-        </button>
-      </>,
-      this.root,
+        </Button>
+      </Modal>
     );
   }
 

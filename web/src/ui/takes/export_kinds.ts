@@ -6,7 +6,7 @@ export interface ExportKind {
   readonly label: string;
   readonly about: string;
   /** Made by the page: pictures of what is seen. */
-  readonly here: boolean;
+  readonly here?: boolean;
   /** Many pictures: they have a size, and a part of the take. */
   readonly series?: boolean;
   /** Needs an encoder of films. */
@@ -36,38 +36,33 @@ export const kExportKinds: Readonly<Record<string, readonly ExportKind[]>> = {
       name: 'player-page',
       label: 'Web page',
       about: 'One HTML file that plays in any browser',
-      here: false,
       fps: kPlayerFps,
     },
     {
       name: 'player-folder',
       label: 'Web page for a site',
       about: 'Page, script and crowd in a ZIP, with the lines to copy',
-      here: false,
       fps: kPlayerFps,
     },
   ],
   'To animate': [
-    { name: 'glb', label: 'glTF', about: 'People in motion on their ground, in metres', here: false, frames: true },
+    { name: 'glb', label: 'glTF', about: 'People in motion on their ground, in metres', frames: true },
     {
       name: 'usdc',
       label: 'USD',
       about: 'The same for Houdini, Maya, Omniverse, in metres',
-      here: false,
       frames: true,
     },
     {
       name: 'usda',
       label: 'USD as text',
       about: 'The same to read; more than twice as large',
-      here: false,
       frames: true,
     },
     {
       name: 'bvh',
       label: 'BVH',
       about: 'One motion file per person, in centimetres, in a ZIP',
-      here: false,
       frames: true,
     },
   ],
@@ -76,11 +71,10 @@ export const kExportKinds: Readonly<Record<string, readonly ExportKind[]>> = {
       name: 'csv',
       label: 'Table',
       about: 'CSV: time, person, group, place in metres, heading, speed, motion',
-      here: false,
       frames: true,
     },
-    { name: 'jupedsim', label: 'JuPedSim', about: 'Trajectories as SQLite, in metres', here: false, frames: true },
-    { name: 'pedpy', label: 'PedPy', about: 'Trajectories as text, in metres', here: false, frames: true },
+    { name: 'jupedsim', label: 'JuPedSim', about: 'Trajectories as SQLite, in metres', frames: true },
+    { name: 'pedpy', label: 'PedPy', about: 'Trajectories as text, in metres', frames: true },
   ],
 };
 

@@ -3,7 +3,7 @@
 import type { VNode } from 'preact';
 import { formatClock } from '../../model/formatters';
 import type { CameraKey } from '../../scene/camera/film_camera';
-import { ToolButton } from '../widgets/buttons';
+import { Button, ToolButton } from '../widgets/buttons';
 import { Menu } from '../widgets/menu';
 
 export interface FilmCameraActions {
@@ -26,9 +26,9 @@ const kBegin = 'Move the camera and the playhead, and keep views: the camera the
 function View({ step, index, stepTime, actions }: Pick<FilmCameraProps, 'stepTime' | 'actions'> & ViewPlace): VNode {
   return (
     <div class="camera-key">
-      <button type="button" class="soft" onClick={() => actions.showMoment(step)}>
+      <Button act={() => actions.showMoment(step)}>
         View {index + 1} at {formatClock(step * stepTime)}
-      </button>
+      </Button>
       <ToolButton icon="close" label={`Remove view ${index + 1}`} iconOnly act={() => actions.removeView(step)} />
     </div>
   );
@@ -53,18 +53,17 @@ export function FilmCameraMenu({ keys, on, stepTime, actions }: FilmCameraProps)
         {() => (
           <>
             <div class="speed-add">
-              <button type="button" class="soft camera-keep" onClick={() => actions.keepView()}>
+              <Button class="soft camera-keep" act={() => actions.keepView()}>
                 Keep this view here
-              </button>
-              <button
-                type="button"
+              </Button>
+              <Button
                 class="soft camera-leads"
                 disabled={keys.length === 0}
                 aria-pressed={on}
-                onClick={() => actions.filmCamera(!on)}
+                act={() => actions.filmCamera(!on)}
               >
                 Film camera
-              </button>
+              </Button>
             </div>
             {keys.map(({ step }, index) => (
               <View key={step} step={step} index={index} stepTime={stepTime} actions={actions} />

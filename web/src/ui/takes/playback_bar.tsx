@@ -6,7 +6,7 @@ import { formatClock, formatSpeed } from '../../model/formatters';
 import type { StudioActions } from '../../model/studio_actions';
 import type { StudioState } from '../../model/studio_state';
 import type { StudioStore } from '../../model/studio_store';
-import { ToolButton } from '../widgets/buttons';
+import { toolButton } from '../widgets/buttons';
 import { element } from '../widgets/dom';
 import { drawPanel } from '../widgets/panel';
 import { ToolbarFocus } from '../widgets/toolbar_focus';
@@ -21,24 +21,18 @@ function TimeButtons({ state, actions }: Props): VNode {
   const speed = formatSpeed(state.speed);
   return (
     <>
-      <ToolButton
-        icon="restart"
-        label="Restart"
-        iconOnly
-        class="restart"
-        tip="Back to the start"
-        act={() => actions.restart()}
-      />
-      <ToolButton
-        icon={state.playing ? 'pause' : 'play'}
-        iconSize={24}
-        label={state.playing ? 'Pause' : 'Play'}
-        iconOnly
-        class="play solid"
-        shortcut="Space"
-        act={() => actions.togglePlay()}
-      />
-      <ToolButton icon="step" label="Single step" iconOnly class="step" shortcut="." act={() => actions.singleStep()} />
+      {toolButton('restart', 'Restart', () => actions.restart(), {
+        iconOnly: true,
+        class: 'restart',
+        tip: 'Back to the start',
+      })}
+      {toolButton(state.playing ? 'pause' : 'play', state.playing ? 'Pause' : 'Play', () => actions.togglePlay(), {
+        iconSize: 24,
+        iconOnly: true,
+        class: 'play solid',
+        shortcut: 'Space',
+      })}
+      {toolButton('step', 'Single step', () => actions.singleStep(), { iconOnly: true, class: 'step', shortcut: '.' })}
       <button
         type="button"
         class="speed"
@@ -81,27 +75,21 @@ function Bar({ state, actions, files }: Props & { readonly files: TakeFiles }): 
     <>
       <TimeButtons state={state} actions={actions} />
       <span class="divider" />
-      <ToolButton
-        icon="watch"
-        label="Watch"
-        class="watch"
-        shortcut="W"
-        hidden={!state.demonstration}
-        pressed={state.demonstrating}
-        tip={state.demonstrating ? 'Stop: back to the start' : 'Watch the touches that belong to this scenario'}
-        act={() => actions.toggleDemonstration()}
-      />
+      {toolButton('watch', 'Watch', () => actions.toggleDemonstration(), {
+        class: 'watch',
+        shortcut: 'W',
+        hidden: !state.demonstration,
+        pressed: state.demonstrating,
+        tip: state.demonstrating ? 'Stop: back to the start' : 'Watch the touches that belong to this scenario',
+      })}
       <RecordButton state={state} actions={actions} />
       <TakeMenu actions={actions} files={files} ownCharacter={state.ownCharacter} />
       <span class="replay" hidden={!state.replaying}>
         <strong class="replay-label">Replay</strong>
-        <ToolButton
-          icon="leave"
-          label="Leave"
-          class="leave soft"
-          tip="Leave the replay: load the scenario"
-          act={() => actions.leaveReplay()}
-        />
+        {toolButton('leave', 'Leave', () => actions.leaveReplay(), {
+          class: 'leave soft',
+          tip: 'Leave the replay: load the scenario',
+        })}
       </span>
     </>
   );

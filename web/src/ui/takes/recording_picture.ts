@@ -2,14 +2,11 @@
 
 import type { StudioFrame } from '../../model/studio_frame';
 import type { StudioStore } from '../../model/studio_store';
-import { takePicture } from '../../scene/scene_picture';
+import { keptPicture } from '../../scene/scene_picture';
 import type { StudioScene } from '../../scene/studio_scene';
 
-const kSize = { width: 320, height: 180 };
 /** While recording the scene is pictured so often, in case another scenario ends the recording [ms]. */
 const kEvery = 3000;
-/** A picture that takes longer is done without [ms]. */
-const kWait = 1500;
 
 export interface PictureParts {
   readonly store: StudioStore;
@@ -34,8 +31,7 @@ export class RecordingPicture {
 
   private taken(): Promise<Blob | null> {
     const { view, canvas } = this.parts_;
-    const late = new Promise<null>((done) => window.setTimeout(() => done(null), kWait));
-    return Promise.race([takePicture(view, canvas, kSize.width, kSize.height, this.crowd), late]);
+    return keptPicture(view, canvas, this.crowd);
   }
 
   private async whileRecording(): Promise<void> {

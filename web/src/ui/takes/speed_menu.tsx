@@ -4,7 +4,7 @@ import type { VNode } from 'preact';
 import { formatSpeed } from '../../model/formatters';
 import { withPiece, type OpenTake } from '../../model/take_facts';
 import type { SpeedPiece } from '../../protocol/messages';
-import { ToolButton } from '../widgets/buttons';
+import { Button, ToolButton } from '../widgets/buttons';
 import { Menu } from '../widgets/menu';
 
 /** Speeds that a part can have. */
@@ -90,15 +90,9 @@ export function SpeedMenu({ take, step, setSpeeds }: SpeedMenuProps): VNode {
               {[0.5, 2].map((speed) => {
                 const pieces = withPiece(take, step * take.stepTime, speed);
                 return (
-                  <button
-                    key={speed}
-                    type="button"
-                    class="soft"
-                    disabled={pieces === null}
-                    onClick={() => pieces && setSpeeds(pieces)}
-                  >
+                  <Button key={speed} disabled={pieces === null} act={() => pieces && setSpeeds(pieces)}>
                     {formatSpeed(speed)} from here
-                  </button>
+                  </Button>
                 );
               })}
             </div>

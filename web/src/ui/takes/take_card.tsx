@@ -5,7 +5,7 @@ import { hasEngine, showPicture } from '../../link/answers';
 import { canShareLinks, copyLink } from '../../link/shared_link';
 import type { TakeActions } from '../../model/take_actions';
 import { formatLengthOf, takeTitle, type ShelvedTake } from '../../model/take_facts';
-import { Icon, ToolButton } from '../widgets/buttons';
+import { Button, Icon, toolButton } from '../widgets/buttons';
 import { element } from '../widgets/dom';
 import type { IconName } from '../widgets/icons';
 
@@ -87,13 +87,10 @@ export class TakeCard {
       <>
         <div class="card-head">
           <h2 class="card-heading">{kHeadings[this.kind_]}</h2>
-          <ToolButton
-            icon="close"
-            label="Close the card"
-            iconOnly
-            class="card-close"
-            act={() => this.actions_.closeCard()}
-          />
+          {toolButton('close', 'Close the card', () => this.actions_.closeCard(), {
+            iconOnly: true,
+            class: 'card-close',
+          })}
         </div>
         <img
           class="card-picture"
@@ -113,15 +110,14 @@ export class TakeCard {
         <p class="card-said secondary" role="status" hidden={this.said_ === ''}>
           {this.said_}
         </p>
-        <button
-          type="button"
+        <Button
+          icon="undo"
           class="solid card-undo"
           hidden={!removed}
-          onClick={() => this.take_ && this.actions_.restoreTake(this.take_)}
+          act={() => this.take_ && this.actions_.restoreTake(this.take_)}
         >
-          <Icon name="undo" />
           Bring it back
-        </button>
+        </Button>
       </>,
       this.root,
     );

@@ -24,7 +24,7 @@ import { scenarioBehind } from '../../model/scenario_behind';
 import { hasRecorded, markCutOffSeen, rememberRecording, untoldCutOff } from './recorder';
 import { TakeCopies, isCopyOnly, withCopies } from './take_copies';
 import { openTake } from './takes';
-import { element } from '../widgets/dom';
+import { fileInput } from '../widgets/file_input';
 import { LiveRegion } from '../widgets/live_region';
 import '../styles/shelf.css';
 import '../styles/takes.css';
@@ -78,18 +78,7 @@ export class TakeController implements TakeActions {
     this.line_ = new TimeLine(this, film, store);
     this.film_ = new FilmCameraController(view.camera, () => this.showKeys());
     this.scrubber_ = new Scrubber((message) => client.send(message));
-    const file = element('input', {
-      type: 'file',
-      accept: '.take',
-      hidden: true,
-      'aria-label': 'Open a take',
-      tabindex: -1,
-    });
-    file.addEventListener('change', () => {
-      const chosen = file.files?.[0];
-      file.value = '';
-      if (chosen) void this.openFile(chosen);
-    });
+    const file = fileInput({ label: 'Open a take', accept: '.take', chosen: ([one]) => void this.openFile(one!) });
     this.shelfPanel_ = new TakeShelf(this, pictureAddress, () => file.click());
     this.picture_ = new RecordingPicture(parts_);
     this.exports = new ExportController({
@@ -115,6 +104,7 @@ export class TakeController implements TakeActions {
       this.shelfPanel_.setOpen(shelf);
       if (shelf) void this.refresh();
     });
+    store.watch(['title'], () => this.take_ && this.line_.setTake(this.take_, this.titleOf(this.take_)));
     store.watch(['theme'], () => requestAnimationFrame(() => this.line_.track.drawMarks()));
   }
 
@@ -203,6 +193,9 @@ export class TakeController implements TakeActions {
 
   leaveTake(): void {
     const { client, store } = this.parts_;
+    const beneath = this.take_?.beneath ?? '';
+    const back = (): void => client.send({ type: 'Playback', action: PlaybackAction.LeaveTake });
+    if (beneath !== '') return void whenAllowed(store, openingOf(beneath), back);
     const { name, title } = scenarioBehind(store.state) ?? { name: '', title: '' };
     if (name) whenAllowed(store, openingOf(title), () => client.send({ type: 'LoadScenario', name }));
   }

@@ -2,33 +2,28 @@
 
 import type { VNode } from 'preact';
 import type { StudioActions } from '../../model/studio_actions';
-import { element } from '../widgets/dom';
+import { fileInput } from '../widgets/file_input';
 import { Menu, MenuItem } from '../widgets/menu';
 
 /** Files that may belong to a character. */
 const kCharacterFiles = '.glb,.gltf,.vrm,.bin,.png,.jpg,.jpeg,.webp';
 
-function fileInput(label: string, accept: string, multiple: boolean): HTMLInputElement {
-  return element('input', { type: 'file', accept, multiple, hidden: true, 'aria-label': label, tabindex: -1 });
-}
-
 /** Lets the visitor choose takes, and the files of characters. */
 export class TakeFiles {
-  private readonly take_ = fileInput('Open a take', '.take', false);
-  private readonly character_ = fileInput('Open a character', kCharacterFiles, true);
+  private readonly take_: HTMLInputElement;
+  private readonly character_: HTMLInputElement;
   /** Unseen; they stand outside of the menu, which closes. */
-  readonly inputs: readonly HTMLInputElement[] = [this.take_, this.character_];
+  readonly inputs: readonly HTMLInputElement[];
 
   constructor(actions: StudioActions) {
-    this.take_.addEventListener('change', () => {
-      const chosen = this.take_.files?.[0];
-      if (chosen) actions.openTake(chosen);
-      this.take_.value = '';
+    this.take_ = fileInput({ label: 'Open a take', accept: '.take', chosen: ([file]) => actions.openTake(file!) });
+    this.character_ = fileInput({
+      label: 'Open a character',
+      accept: kCharacterFiles,
+      multiple: true,
+      chosen: (files) => actions.openCharacter(files),
     });
-    this.character_.addEventListener('change', () => {
-      actions.openCharacter([...(this.character_.files ?? [])]);
-      this.character_.value = '';
-    });
+    this.inputs = [this.take_, this.character_];
   }
 
   chooseTake(): void {

@@ -4,9 +4,10 @@ import { render, type VNode } from 'preact';
 import { showPicture } from '../../link/answers';
 import type { TakeActions } from '../../model/take_actions';
 import { formatAge, formatBytes, formatLengthOf, takeTitle, type ShelvedTake } from '../../model/take_facts';
-import { Icon, ToolButton } from '../widgets/buttons';
+import { Button, Icon, toolButton } from '../widgets/buttons';
 import { element } from '../widgets/dom';
 import { Held } from '../widgets/held';
+import { UndoRow } from '../widgets/undo_row';
 
 /** What is said below a take's name. */
 function factsOf(take: ShelvedTake, now: number): string {
@@ -72,7 +73,6 @@ export class TakeShelf {
   offerUndo(take: ShelvedTake): void {
     this.removed_ = take;
     this.draw();
-    this.root.querySelector<HTMLElement>('.shelf-undo button')?.focus();
   }
 
   private draw(): void {
@@ -81,17 +81,10 @@ export class TakeShelf {
       <>
         <div class="shelf-head">
           <h2>Takes</h2>
-          <button type="button" class="soft" onClick={this.openFile_}>
-            <Icon name="open" />
+          <Button icon="open" act={this.openFile_}>
             Open a file…
-          </button>
-          <ToolButton
-            icon="close"
-            label="Close the shelf"
-            iconOnly
-            class="shelf-close"
-            act={() => actions.closeShelf()}
-          />
+          </Button>
+          {toolButton('close', 'Close the shelf', () => actions.closeShelf(), { iconOnly: true, class: 'shelf-close' })}
         </div>
         {this.undo()}
         <ul class="shelf-list">{takes.map((take) => this.item(take))}</ul>
@@ -112,15 +105,7 @@ export class TakeShelf {
       this.draw();
       this.actions_.restoreTake(take);
     };
-    return (
-      <div class="shelf-undo">
-        <span>“{takeTitle(take)}” is removed.</span>
-        <button type="button" class="soft" onClick={back}>
-          <Icon name="undo" />
-          Bring it back
-        </button>
-      </div>
-    );
+    return <UndoRow key={take.name} title={takeTitle(take)} back={back} />;
   }
 
   private item(take: ShelvedTake): VNode {
@@ -148,29 +133,20 @@ export class TakeShelf {
         <span class="shelf-tools">
           {!('copyOnly' in take) && (
             <>
-              <ToolButton
-                icon="takes"
-                label={`Export ${title}`}
-                iconOnly
-                disabled={take.recording}
-                act={() => actions.exportTake(take.name)}
-              />
-              <ToolButton
-                icon="download"
-                label={`Save ${title} as a file`}
-                iconOnly
-                disabled={take.recording}
-                act={() => actions.saveTake(take)}
-              />
+              {toolButton('export', `Export ${title}`, () => actions.exportTake(take.name), {
+                iconOnly: true,
+                disabled: take.recording,
+              })}
+              {toolButton('download', `Save ${title} as a file`, () => actions.saveTake(take), {
+                iconOnly: true,
+                disabled: take.recording,
+              })}
             </>
           )}
-          <ToolButton
-            icon="close"
-            label={`Remove ${title}`}
-            iconOnly
-            disabled={take.recording}
-            act={() => actions.removeTake(take)}
-          />
+          {toolButton('close', `Remove ${title}`, () => actions.removeTake(take), {
+            iconOnly: true,
+            disabled: take.recording,
+          })}
         </span>
       </li>
     );

@@ -1,6 +1,6 @@
 // Icons and buttons of panels.
 
-import type { ComponentChildren, VNode } from 'preact';
+import type { ComponentChildren, ComponentProps, VNode } from 'preact';
 import { iconBody, kLogoBody, type IconName } from './icons';
 
 export function Icon({ name, size = 20 }: { readonly name: IconName; readonly size?: number }): VNode {
@@ -86,6 +86,31 @@ export function ToolButton(props: ToolButtonProps): VNode {
       {icon && <Icon name={icon} size={iconSize} />}
       <span class={iconOnly ? 'unseen' : (props.wordClass ?? 'label')}>{word}</span>
       {props.children}
+    </button>
+  );
+}
+
+/** The same as a row of a list of tools. */
+export function toolButton(
+  icon: IconName,
+  label: string,
+  act: (event: MouseEvent) => void,
+  more: Omit<ToolButtonProps, 'icon' | 'label' | 'act'> = {},
+): VNode {
+  return <ToolButton icon={icon} label={label} act={act} {...more} />;
+}
+
+export interface ButtonProps extends Omit<ComponentProps<'button'>, 'icon'> {
+  readonly icon?: IconName;
+  readonly act?: () => void;
+}
+
+/** A button with words; soft where no other class is given. */
+export function Button({ icon, act, children, class: name = 'soft', ...more }: ButtonProps): VNode {
+  return (
+    <button type="button" class={name} onClick={() => act?.()} {...more}>
+      {icon && <Icon name={icon} />}
+      {children}
     </button>
   );
 }

@@ -1,18 +1,19 @@
-// A modal dialog with a form in it, as a component: it is open while it is drawn.
+// Modal dialogs as components: one is open while it is drawn.
 
 import { Component, type ComponentChildren, type VNode } from 'preact';
 import { Icon } from './buttons';
 
-export interface DialogProps {
+export interface ModalProps {
   readonly title: string;
+  readonly class: string;
+  /** What its button says that closes it; empty for none. */
+  readonly closes?: string;
   /** It closes, however that came. */
   readonly close: () => void;
-  /** The form is sent; it closes then, unless this says false. */
-  readonly submit: () => boolean;
   readonly children: ComponentChildren;
 }
 
-export class Dialog extends Component<DialogProps> {
+export class Modal extends Component<ModalProps> {
   private root_: HTMLDialogElement | null = null;
 
   override componentDidMount(): void {
@@ -36,11 +37,11 @@ export class Dialog extends Component<DialogProps> {
     this.closed();
   };
 
-  override render({ title, submit, children }: DialogProps): VNode {
-    const id = `dialog-${title.toLowerCase().replace(/\W+/g, '-')}`;
+  override render({ title, class: name, closes = 'Close', children }: ModalProps): VNode {
+    const id = `${name.split(' ').pop()}-title`;
     return (
       <dialog
-        class="help shape-dialog"
+        class={name}
         aria-labelledby={id}
         ref={(made) => void (made && (this.root_ = made))}
         onClose={this.closed}
@@ -49,23 +50,39 @@ export class Dialog extends Component<DialogProps> {
       >
         <header>
           <h2 id={id}>{title}</h2>
-          <button type="button" aria-label="Close" onClick={this.closed}>
-            <Icon name="close" />
-          </button>
+          {closes && (
+            <button type="button" aria-label={closes} onClick={this.closed}>
+              <Icon name="close" />
+            </button>
+          )}
         </header>
-        <form
-          method="dialog"
-          class="shape-form"
-          onSubmit={(event) => {
-            event.preventDefault();
-            if (submit()) this.closed();
-          }}
-        >
-          {children}
-        </form>
+        {children}
       </dialog>
     );
   }
+}
+
+export interface DialogProps extends Pick<ModalProps, 'title' | 'close' | 'children'> {
+  /** The form is sent; it closes then, unless this says false. */
+  readonly submit: () => boolean;
+}
+
+/** A dialog with a form in it. */
+export function Dialog({ title, close, submit, children }: DialogProps): VNode {
+  return (
+    <Modal title={title} class="help shape-dialog" close={close}>
+      <form
+        method="dialog"
+        class="shape-form"
+        onSubmit={(event) => {
+          event.preventDefault();
+          if (submit()) close();
+        }}
+      >
+        {children}
+      </form>
+    </Modal>
+  );
 }
 
 /** An input with its label. */

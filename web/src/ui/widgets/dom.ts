@@ -1,9 +1,9 @@
 // Helpers that make and update elements.
 
-export type AttributeValue = string | number | boolean | undefined;
+type AttributeValue = string | number | boolean | undefined;
 
 /** `true` writes an empty attribute, `false` and `undefined` none. */
-export function setAttributes(target: Element, attributes: Readonly<Record<string, AttributeValue>>): void {
+function setAttributes(target: Element, attributes: Readonly<Record<string, AttributeValue>>): void {
   for (const [name, value] of Object.entries(attributes)) {
     if (value === false || value === undefined) target.removeAttribute(name);
     else target.setAttribute(name, value === true ? '' : String(value));
@@ -28,8 +28,4 @@ export function setText(target: Element, text: string): void {
 
 export function setAttribute(target: Element, name: string, value: string): void {
   if (target.getAttribute(name) !== value) target.setAttribute(name, value);
-}
-
-export function setPressed(button: Element, pressed: boolean): void {
-  setAttribute(button, 'aria-pressed', String(pressed));
 }

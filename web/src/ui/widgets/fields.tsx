@@ -84,6 +84,17 @@ export function NumberField({ label, value, range, act, ...more }: NumberFieldPr
   return <Typed label={unit ? `${label} [${unit}]` : label} text={textOf(value)} number act={change} {...more} />;
 }
 
+/** A row of a form: a number of a range. `name`: for readers of the screen, where several have the same label. */
+export function numberField(
+  label: string,
+  value: number,
+  range: NumberRange,
+  act: NumberFieldProps['act'],
+  name?: string,
+): VNode {
+  return <NumberField label={label} name={name} value={value} range={range} act={act} />;
+}
+
 export interface TextFieldProps {
   readonly label: string;
   readonly name?: string;
@@ -95,20 +106,19 @@ export function TextField({ label, name, value, act }: TextFieldProps): VNode {
   return <Typed label={label} name={name} text={value} act={(text) => (act(text.trim()), true)} />;
 }
 
-export interface SelectFieldProps {
-  readonly label: string;
-  readonly name?: string;
-  readonly words: readonly string[];
-  readonly value: string;
-  readonly act: (word: string) => void;
-}
-
-export function SelectField({ label, name, words, value, act }: SelectFieldProps): VNode {
+/** A row of a form: one of a few words. */
+export function selectField(
+  label: string,
+  words: readonly string[],
+  value: string,
+  act: (word: string) => void,
+  name = label,
+): VNode {
   const known = words.includes(value) || value === '' ? words : [value, ...words];
   return (
     <label class="build-field">
       <span>{label}</span>
-      <select aria-label={name ?? label} value={value} onChange={({ currentTarget }) => act(currentTarget.value)}>
+      <select aria-label={name} value={value} onChange={({ currentTarget }) => act(currentTarget.value)}>
         {known.map((word) => (
           <option key={word} value={word}>
             {word}

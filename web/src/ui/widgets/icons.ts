@@ -62,6 +62,7 @@ const kShapes = {
   show: '<path d="M3 12V5a2 2 0 0 1 2-2h10a2 2 0 0 1 2 2v7 M3 16.500h14" stroke-linejoin="round"/>',
   close: '<path d="m5 5 10 10 M15 5 5 15"/>',
   download: '<path d="M10 3v9.5 M6 9l4 4 4-4 M3.5 16.5h13"/>',
+  export: '<path d="M10 12V3.2 M6.200 7 10 3.200 13.800 7 M7 9.500H4v7h12v-7h-3"/>',
   open: '<path d="M2.8 15.8V4.8h5l1.8 2.2h7.6v8.8Z" stroke-linejoin="round"/>',
   character: '<circle cx="10" cy="5" r="2.7"/><path d="M4.5 17c.3-4.200 2-6.400 5.5-6.400s5.200 2.200 5.5 6.400"/>',
   rename:
@@ -79,20 +80,9 @@ const kShapes = {
 
 export type IconName = keyof typeof kShapes;
 
-function svg(body: string, size: number, box: number, attributes: string): SVGSVGElement {
-  const template = document.createElement('template');
-  template.innerHTML = `<svg width="${size}" height="${size}" viewBox="0 0 ${box} ${box}" aria-hidden="true" ${attributes}>${body}</svg>`;
-  return template.content.firstElementChild as SVGSVGElement;
-}
-
 /** What is inside of an icon's svg. */
 export function iconBody(name: IconName): string {
   return kShapes[name];
-}
-
-export function icon(name: IconName, size = 20): SVGSVGElement {
-  const style = 'fill="none" stroke="currentColor" stroke-width="1.6" stroke-linecap="round" stroke-linejoin="round"';
-  return svg(kShapes[name], size, 20, style);
 }
 
 const kLogoPlaces = [
@@ -108,7 +98,3 @@ const kLogoPlaces = [
 export const kLogoBody = kLogoPlaces
   .map(([x, y], i) => `<circle cx="${x}" cy="${y}" r="3" ${i === 2 ? 'class="logo-accent"' : ''}/>`)
   .join('');
-
-export function logo(): SVGSVGElement {
-  return svg(kLogoBody, 30, 30, 'fill="currentColor" class="logo"');
-}

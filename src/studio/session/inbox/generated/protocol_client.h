@@ -35,8 +35,8 @@ struct Touches {
     }
 };
 
-/// Play, pause, one step, from the start, from the start with the touches that the scenario carries, or back
-/// to the world before.
+/// Play, pause, one step, from the start, from the start with the touches that the scenario carries, back to
+/// the world before, or to the one from which the take was opened.
 struct Playback {
     static constexpr std::uint8_t kNumber = 2;  ///< First byte of the message.
     PlaybackAction action = PlaybackAction::Play;

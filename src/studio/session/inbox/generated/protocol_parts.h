@@ -23,7 +23,7 @@ using muster::Stance;
 using muster::Standing;
 using muster::EventKind;
 /// What a person wants of time.
-enum class PlaybackAction : std::uint8_t { Play, Pause, SingleStep, Restart, Demonstrate, GoBack };
+enum class PlaybackAction : std::uint8_t { Play, Pause, SingleStep, Restart, Demonstrate, GoBack, LeaveTake };
 /// What the ground is coloured by.
 enum class OverlayKind : std::uint8_t { None, Field, Cost, Density, Reach };
 /// What moves.
@@ -57,7 +57,7 @@ enum class WorldChange : std::uint8_t { None, Opened, Restarted, Watched, WentBa
 template <class Choice>
 inline constexpr std::size_t kChoices = kCountOf<Choice>;
 template <>
-inline constexpr std::size_t kChoices<PlaybackAction> = 6;
+inline constexpr std::size_t kChoices<PlaybackAction> = 7;
 template <>
 inline constexpr std::size_t kChoices<OverlayKind> = 5;
 template <>

@@ -240,11 +240,12 @@ struct TakeState {
     bool stored = false;  ///< This Muster simulates it otherwise: it plays from its stored frames and cannot be changed.
     std::vector<SpeedPiece> speeds;
     std::vector<TakeMark> marks;
+    std::string beneath;  ///< Title of the world from which it was opened, which LeaveTake brings back; empty: there is none.
 
     /// Lets an archive read or write the fields.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(open, name, title, steps, stepTime, from, to, loop, stored, speeds, marks);
+        archive(open, name, title, steps, stepTime, from, to, loop, stored, speeds, marks, beneath);
     }
 };
 

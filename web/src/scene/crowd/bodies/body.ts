@@ -8,6 +8,7 @@ export const kRegion = {
   skin: 0,
   shirt: 1,
   farShirt: 1.2,
+  farHead: 1.3,
   farLegs: 1.4,
   trousers: 2,
   hair: 3,

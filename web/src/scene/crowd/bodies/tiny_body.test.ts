@@ -1,12 +1,20 @@
 import { expect, it } from 'vitest';
 import { plainRig } from './rig';
-import { restPositions } from '../../../model/skeleton';
-import { makeTinyBody } from './tiny_body';
+import { jointIndex, restPositions } from '../../../model/skeleton';
+import { makeSpeckBody, makeTinyBody } from './tiny_body';
 
 it('is as tall as a person, on the floor, in few triangles, and grows with the rig', () => {
-  for (const scale of [1, 0.5]) {
-    const geometry = makeTinyBody(plainRig(restPositions().map((one) => one * scale)));
-    expect(geometry.index!.count / 3).toBeLessThan(90);
+  const made = [
+    [makeTinyBody, 68],
+    [makeSpeckBody, 36],
+  ] as const;
+  for (const [scale, [make, triangles]] of [1, 0.5].flatMap((one) => made.map((each) => [one, each] as const))) {
+    const geometry = make(plainRig(restPositions().map((one) => one * scale)));
+    expect(geometry.index!.count / 3).toBe(triangles);
+    // It walks: its legs go with their joints.
+    const joints = geometry.attributes['joints']!;
+    const moved = new Set(Array.from({ length: joints.count }, (_, i) => joints.getX(i)));
+    for (const leg of ['LeftUpLeg', 'RightUpLeg']) expect(moved.has(jointIndex(leg))).toBe(true);
     geometry.computeBoundingBox();
     const { min, max } = geometry.boundingBox!;
     expect(min.z / scale).toBeGreaterThan(-0.05);

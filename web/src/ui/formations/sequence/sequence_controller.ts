@@ -18,7 +18,7 @@ import {
   type WayLeg,
 } from '../../../model/sequence';
 import { forCount } from '../../../model/shape_edit';
-import { standOf, unfitCount, unfitWords, type Stand, type StandPose } from '../../../model/stand';
+import { standOf, unfitCount, type Stand, type StandPose } from '../../../model/stand';
 import type { StudioFrame, StudioGroup } from '../../../model/studio_frame';
 import type { StudioStore } from '../../../model/studio_store';
 import { legsOf } from '../../../scene/marks/order_marks';
@@ -269,8 +269,6 @@ export class SequenceController {
 
   private draw(moves: readonly Stand[]): void {
     if (!this.parts_.store.state.sequencing) return;
-    const words = unfitWords(moves.map(({ unfit }) => unfit));
-    this.panel_.say(words.warns ? words : { text: '', warns: false });
     this.shows_ = true;
     this.parts_.view.orders.previewOrder({ moves, rectangle: [], route: [] });
   }

@@ -1,7 +1,15 @@
 // A run of the study on the page, and the replay of a trial: one stage after the other, as the server tells.
 
 import './study.css';
-import { NoticeLevel, StudyAct, StudyStage, type StudyForm, type StudyState } from '../../protocol/messages';
+import { render } from 'preact';
+import {
+  NoticeLevel,
+  StudyAct,
+  StudyStage,
+  type AnswerFrame,
+  type StudyForm,
+  type StudyState,
+} from '../../protocol/messages';
 import type { StudioClient } from '../../link/studio_client';
 import type { StudioFrame } from '../../model/studio_frame';
 import type { StudioView } from '../../scene/studio_view';
@@ -9,11 +17,8 @@ import { AttentionSender } from '../app/attention_sender';
 import { LayoutWatcher } from '../app/layout_watcher';
 import { schemeView } from '../steer/scheme_controller';
 import { applyTheme, followSystemTheme, preferredTheme } from '../widgets/theme';
-import { formPage } from './form_page';
-import { ReplayBar } from './replay_bar';
-import { elsewherePage, endPage, pausedPage, readyPage, waitingPage } from './stage_pages';
-import { StudyShell } from './study_shell';
-import { TrialBar } from './trial_bar';
+import type { Moment } from './bars';
+import { StudyPage, type StudyActions, type StudyView } from './study_page';
 import { TrialPointers } from './trial_pointers';
 
 /** Between the bar and the ground, and round it [CSS px]. */
@@ -29,40 +34,67 @@ function countOf(collected: ArrayLike<number>): number {
   return count;
 }
 
+/** Messages vanish after this time [ms]. */
+const kToast = 4000;
+const kBeginning: Moment = { time: 0, playing: true, speed: 1, collected: 0 };
+
 export class StudyApp {
   /** Newest frame of a trial. */
   frame: StudioFrame | null = null;
   /** Where the run stands. */
   state: StudyState | null = null;
-  private form_: StudyForm | null = null;
+  private shown_: StudyView = {
+    state: null,
+    form: null,
+    moment: kBeginning,
+    done: 0,
+    busy: false,
+    lost: false,
+    toast: null,
+    stopping: false,
+  };
+  private toasted_ = 0;
+  /** So many were asked. */
+  private forms_ = 0;
   private sceneRevision_ = 0;
   private readonly pointers_: TrialPointers;
   private readonly attention_: AttentionSender;
-  private readonly shell_: StudyShell;
-  private readonly trialBar_: TrialBar;
-  private readonly replayBar_: ReplayBar;
+  private readonly actions_: StudyActions = {
+    client: { send: (message) => this.client_.send(message) },
+    goOn: () => this.goOn(),
+    answer: (answers) => this.answer(answers),
+    giveUp: () => this.act(StudyAct.GiveUp),
+    askStop: (stopping) => this.show({ stopping }),
+    stop: () => {
+      this.show({ stopping: false });
+      this.act(StudyAct.BreakOff);
+    },
+    retry: () => this.client_.retry(),
+  };
 
   constructor(
     private readonly client_: StudioClient,
     private readonly view_: StudioView,
     private readonly canvas_: HTMLCanvasElement,
-    page: HTMLElement,
+    private readonly page_: HTMLElement,
   ) {
-    this.trialBar_ = new TrialBar(
-      () => this.act(StudyAct.GiveUp),
-      () => this.shell_.askStop(),
-    );
-    this.replayBar_ = new ReplayBar(client_);
-    this.shell_ = new StudyShell(page, [this.trialBar_.root, this.replayBar_.root], {
-      stop: () => this.act(StudyAct.BreakOff),
-      retry: () => client_.retry(),
-    });
-    this.pointers_ = new TrialPointers(client_, view_, canvas_, (text) => this.shell_.tell(text));
+    this.pointers_ = new TrialPointers(client_, view_, canvas_, (text) => this.tell(text));
     this.attention_ = new AttentionSender(client_);
     this.followSettings();
     this.followClient();
-    this.shell_.showCard(waitingPage());
+    this.show({});
     requestAnimationFrame(this.drawn);
+  }
+
+  private show(change: Partial<StudyView>): void {
+    this.shown_ = { ...this.shown_, ...change };
+    render(<StudyPage view={this.shown_} actions={this.actions_} />, this.page_);
+  }
+
+  private tell(text: string, error = false): void {
+    window.clearTimeout(this.toasted_);
+    this.toasted_ = window.setTimeout(() => this.show({ toast: null }), kToast);
+    this.show({ toast: { text, error } });
   }
 
   private followSettings(): void {
@@ -81,8 +113,9 @@ export class StudyApp {
   private followClient(): void {
     const { client_: client, view_: view } = this;
     client.on('link', (link) => {
-      view.setLost(link.phase !== 'open' && this.state !== null);
-      this.shell_.showLink(link);
+      const lost = link.phase !== 'open' && this.state !== null;
+      view.setLost(lost);
+      this.show({ lost });
       this.pointers_.forget();
       this.attention_.forget();
     });
@@ -101,12 +134,13 @@ export class StudyApp {
     client.on('frame', ({ frame, receivedAt }) => this.showFrame(frame, receivedAt));
     client.on('marks', (marks) => {
       view.orders.setScheme(schemeView(marks));
-      if (marks.notice !== '') this.shell_.tell(`${marks.notice}.`);
+      if (marks.notice !== '') this.tell(`${marks.notice}.`);
     });
     client.on('notice', ({ level, text }) => {
-      this.shell_.tell(text, level === NoticeLevel.Error);
+      const error = level === NoticeLevel.Error;
+      this.tell(text, error);
       // A refused form is asked again, with what was answered.
-      if (level === NoticeLevel.Error) this.shell_.enableButtons();
+      if (error) this.show({ busy: false });
     });
   }
 
@@ -114,63 +148,67 @@ export class StudyApp {
     this.client_.send({ type: 'DoInStudy', act });
   }
 
-  private showState(state: StudyState): void {
-    const before = this.state;
-    this.state = state;
-    if (state.token !== '' && tokenOf(location.hash) !== state.token) history.replaceState(null, '', `#${state.token}`);
-    if (state.mmPerPixel > 0) this.pointers_.mmPerPixel = state.mmPerPixel;
-    const trial = state.stage === StudyStage.Trial;
-    const replay = state.stage === StudyStage.Replay;
-    this.trialBar_.root.hidden = !trial;
-    this.replayBar_.root.hidden = !replay;
-    this.pointers_.setTrial(trial ? state : null);
-    this.shell_.showRun(state);
-    if (trial || replay) {
-      const mesh = state.mesh;
-      this.view_.setLayers({ mesh, places: false, paths: mesh });
-      this.view_.orders.setScheme(null);
-      this.shell_.showScene();
-      if (replay) this.replayBar_.show(state);
-      else if (before?.stage !== StudyStage.Paused) this.trialBar_.show(state);
-      this.canvas_.focus({ preventScroll: true });
-      this.lookDown();
-    } else if (state.stage !== StudyStage.Form) {
-      this.shell_.showCard(this.cardOf(state));
-    }
-  }
-
-  private cardOf(state: StudyState): HTMLElement {
-    if (state.stage === StudyStage.Ready) return readyPage(state, () => this.act(StudyAct.Start));
-    if (state.stage === StudyStage.Elsewhere) return elsewherePage(() => location.reload());
-    if (state.stage !== StudyStage.Paused) return endPage(state, () => this.nextPerson());
-    this.trialBar_.show(state);
-    return pausedPage(() => this.act(StudyAct.GoOn));
-  }
-
-  private nextPerson(): void {
-    history.replaceState(null, '', location.pathname);
+  private goOn(): void {
+    this.show({ busy: true });
+    const stage = this.state?.stage;
+    if (stage === StudyStage.Ready) return this.act(StudyAct.Start);
+    if (stage === StudyStage.Paused) return this.act(StudyAct.GoOn);
+    // Whoever is next begins a run.
+    if (stage !== StudyStage.Elsewhere) history.replaceState(null, '', location.pathname);
     location.reload();
   }
 
+  private answer(answers: AnswerFrame[]): void {
+    const { form } = this.shown_;
+    this.show({ busy: true });
+    if (form) this.client_.send({ type: 'AnswerForm', instrument: form.form.instrument, answers });
+  }
+
+  private showState(state: StudyState): void {
+    const before = this.state;
+    this.state = state;
+    const { stage } = state;
+    if (state.token !== '' && tokenOf(location.hash) !== state.token) history.replaceState(null, '', `#${state.token}`);
+    if (state.mmPerPixel > 0) this.pointers_.mmPerPixel = state.mmPerPixel;
+    const trial = stage === StudyStage.Trial;
+    this.pointers_.setTrial(trial ? state : null);
+    const done = state.trial > 0 ? (state.trial - 1) / Math.max(1, state.trials) : this.shown_.done;
+    const goesOn = trial && before?.stage === StudyStage.Paused;
+    const moment = goesOn ? this.shown_.moment : kBeginning;
+    const form = stage === StudyStage.Form ? this.shown_.form : null;
+    this.show({ form, done, moment, busy: stage === StudyStage.Form && this.shown_.busy });
+    // What is asked is on its way.
+    if (stage !== StudyStage.Form || form) this.show({ state });
+    if (trial || stage === StudyStage.Replay) this.showScene(state);
+  }
+
+  private showScene({ mesh }: StudyState): void {
+    this.view_.setLayers({ mesh, places: false, paths: mesh });
+    this.view_.orders.setScheme(null);
+    this.canvas_.focus({ preventScroll: true });
+    this.lookDown();
+  }
+
   private showForm(form: StudyForm): void {
-    this.form_ = form;
-    const send = (answers: readonly { name: string; text: string; number: number }[]): void =>
-      this.client_.send({ type: 'AnswerForm', instrument: this.form_!.instrument, answers: [...answers] });
-    this.shell_.showCard(formPage(form, send));
+    const number = ++this.forms_;
+    this.show({
+      form: { form, number },
+      busy: false,
+      ...(this.state?.stage === StudyStage.Form && { state: this.state }),
+    });
   }
 
   private showFrame(frame: StudioFrame, receivedAt: number): void {
     if (frame.sceneRevision !== this.sceneRevision_) return;
     this.frame = frame;
     this.view_.pushFrame(frame, receivedAt);
-    const collected = countOf(frame.collected);
-    if (this.state?.stage === StudyStage.Replay) this.replayBar_.update(frame, collected);
-    else this.trialBar_.update(frame.time, collected);
+    const { time, playing, speed } = frame;
+    this.show({ moment: { time, playing, speed, collected: countOf(frame.collected) } });
   }
 
   private padding() {
-    const bar = [this.trialBar_, this.replayBar_].map(({ root }) => root.getBoundingClientRect().bottom);
-    return { top: Math.max(...bar) + kRoom, right: kRoom, bottom: kRoom, left: kRoom };
+    const bar = this.page_.querySelector('.study-bar')?.getBoundingClientRect().bottom ?? 0;
+    return { top: bar + kRoom, right: kRoom, bottom: kRoom, left: kRoom };
   }
 
   /** Keeps all of the ground in view, below the bar, and tells the server. */

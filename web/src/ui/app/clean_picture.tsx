@@ -3,28 +3,23 @@
 
 import type { StudioActions } from '../../model/studio_actions';
 import type { StudioStore } from '../../model/studio_store';
-import { toolButton } from '../widgets/tool_button';
+import { toolButton } from '../widgets/buttons';
+import { element } from '../widgets/dom';
+import { drawPanel } from '../widgets/panel';
 
 /** It stays for so long after the last move [ms]. */
 const kStays = 1800;
 
 export class CleanPicture {
-  readonly root: HTMLButtonElement;
+  readonly root = element('div', { class: 'clean-end panel' });
   private timer_ = 0;
 
   constructor(store: StudioStore, actions: StudioActions) {
-    this.root = toolButton({
-      icon: 'show',
-      label: 'Show marks and panels',
-      iconOnly: true,
-      key: '0',
-      className: 'clean-end panel',
-      act: () => actions.toggleClean(),
-    });
-    this.root.hidden = true;
-    store.watch(['clean'], ({ clean }) => {
+    const label = 'Show marks and panels';
+    drawPanel(this.root, store, ['clean'], ({ clean }) => {
       this.root.hidden = !clean;
       if (clean) this.appear();
+      return toolButton('show', label, () => actions.toggleClean(), { iconOnly: true, shortcut: '0' });
     });
     for (const type of ['pointermove', 'pointerdown', 'keydown'] as const) {
       window.addEventListener(type, () => !this.root.hidden && this.appear(), { passive: true });
