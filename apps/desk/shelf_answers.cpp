@@ -72,8 +72,9 @@ HttpAnswer ShelfAnswers::answer(const ShelfRequest& request) {
 }
 
 HttpAnswer ShelfAnswers::edit(const ShelfRequest& request) {
-    const auto about = readTakeAbout(textOf(request.body), "take");
+    auto about = readTakeAbout(textOf(request.body), "take");
     if (!about.ok()) return failure(about.status());
+    // Pages say here how a take is called and which part plays.
     const Status status = shelf_.edit(request.name, *about, false);
     if (status.ok()) edited_(request.name, *about);
     return doneAnswer(status);

@@ -254,7 +254,7 @@ Status TakeShelf::untouched(const std::string& name) const {
     return {StatusCode::Unsupported, name + ": is being recorded; stop the recording first"};
 }
 
-Status TakeShelf::edit(const std::string& name, const TakeAbout& about, bool camera) {
+Status TakeShelf::edit(const std::string& name, const TakeAbout& about, bool whole) {
     if (Status s = about.check(); !s.ok()) return s;
     const std::lock_guard lock(mutex_);
     if (Status s = untouched(name); !s.ok()) return s;
@@ -263,7 +263,7 @@ Status TakeShelf::edit(const std::string& name, const TakeAbout& about, bool cam
     const auto take = parseTake(bytesOf(*text), name);
     if (!take.ok()) return take.status();
     TakeAbout said = about;
-    if (!camera) said.camera = take->about.camera;
+    if (!whole) said.camera = take->about.camera, said.edits = take->about.edits;
     const auto record = TakeEncoder::about(said);
     return replaceFile(path(name), std::string_view(*text).substr(0, text->size() - take->tornBytes),
                        textOf(record));

@@ -54,8 +54,8 @@ public:
     Result<std::string> pathOf(const std::string& name) const;
     /// Says something else about a take. A record torn by a killed writer is left out. Fails with NotFound,
     /// or with Unsupported while it is recorded.
-    /// Without `camera` its camera keys stay.
-    Status edit(const std::string& name, const TakeAbout& about, bool camera = true);
+    /// Where it is not `whole`, camera keys and edits of people stay as they are.
+    Status edit(const std::string& name, const TakeAbout& about, bool whole = true);
     /// Puts other bytes in the place of a take. Fails as edit() does.
     Status replace(const std::string& name, std::span<const std::uint8_t> bytes);
     /// Keeps a PNG picture of a take.

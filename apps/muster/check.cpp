@@ -58,6 +58,9 @@ void checkTake(const std::string& path, Finding& finding) {
     finding.summary = "\"" + take->def.name + "\", " + std::to_string(take->commands.size()) + " commands, " +
                       std::to_string(take->events.size()) + " events, " + std::to_string(take->marks.size()) +
                       " hash marks, " + std::to_string(take->steps()) + " steps";
+    std::size_t edited = 0;
+    for (const TakeEdit& edit : take->about.edits) edited += edit.people.size();
+    if (edited > 0) finding.summary += ", edits of " + std::to_string(edited) + " people";
     if (take->tornBytes > 0) {
         finding.warnings.push_back("the last record is torn; " + std::to_string(take->tornBytes) +
                                    " bytes are left out");

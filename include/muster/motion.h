@@ -33,6 +33,7 @@ struct CrowdMotionDef {
 };
 
 struct CrowdView;
+struct ShownCharacter;
 /// The motion of a crowd at one moment (CrowdMotion::state()).
 struct CrowdMotionState;
 
@@ -50,6 +51,10 @@ public:
     /// Call after every step of the world. The motion of new characters, and of those that
     /// were moved by a command, starts again.
     void update(const World& world);
+    /// The same, with some characters, in ascending order of ids, shown otherwise; internal.
+    void update(const World& world, std::span<const ShownCharacter> shown);
+    /// The motion of these characters, by ids in ascending order, starts again with the next update.
+    void forget(std::span<const std::uint32_t> ids);
     /// The same for a crowd that is not a World; internal.
     void update(const CrowdView& crowd);
 

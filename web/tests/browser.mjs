@@ -275,7 +275,7 @@ const kCases = [
     ['desktop'],
     { touch: false, scenario: 'scenarios/open.json' },
   ],
-  ['paths: one person', paths.single, ['landscape', 'phone'], { scenario: 'scenarios/open.json' }],
+  ['paths: one person', paths.person, ['landscape', 'phone'], { scenario: 'scenarios/open.json' }],
   ['takes: of another version', oldTakes.oldTake, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
   ['takes: exports', takes.exports, ['desktop'], { scenario: 'scenarios/open.json', release: true }],
   ...exports.kExportCases,

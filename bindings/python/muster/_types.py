@@ -42,6 +42,8 @@ __all__ = [
     "Checkpoint",
     "CheckpointTrigger",
     "ClipFacts",
+    "ClipPart",
+    "ClockPoint",
     "ColourGroup",
     "Command",
     "CommandBody",
@@ -69,6 +71,7 @@ __all__ = [
     "GroupLook",
     "HashMark",
     "ItemDef",
+    "LookPart",
     "Manner",
     "MapDef",
     "MapGrid",
@@ -84,6 +87,7 @@ __all__ = [
     "OrderKind",
     "PartShape",
     "PatchDef",
+    "PathPin",
     "PeopleDef",
     "PinControl",
     "PlaceGroup",
@@ -127,6 +131,7 @@ __all__ = [
     "Stance",
     "Standing",
     "TakeAbout",
+    "TakeEdit",
     "TakeEvent",
     "ThingKind",
     "TimedPath",
@@ -2238,6 +2243,89 @@ class CameraKey:
 
 
 @dataclass(slots=True)
+class PathPin:
+    """Holds the path of edited people at another place at one moment of their own clock; before and after it the path
+        moves along, ever less.
+
+    Attributes:
+        time: Time on the own clock of each of them, 0 or more [s].
+        offset: How far from where they were then [m].
+        seconds: So long before and after the path moves along [s], 0.2 to 60; never beyond the next pin.
+    """
+
+    time: float = 0.0
+    offset: Vec2 = (0.0, 0.0)
+    seconds: float = 2.0
+
+
+@dataclass(slots=True)
+class ClockPoint:
+    """A moment at which edited people are as far on their path as they were at another.
+
+    Attributes:
+        time: Time in the take [s].
+        own: Time of the recording that is shown then [s].
+    """
+
+    time: float = 0.0
+    own: float = 0.0
+
+
+@dataclass(slots=True)
+class ClipPart:
+    """A time in which edited people play a named clip.
+
+    Attributes:
+        name: Name of the clip; one that does not repeat is played once.
+        from_: Time in the take [s].
+        to: Time in the take [s], above `from`.
+    """
+
+    name: str = ""
+    from_: float = 0.0
+    to: float = 0.0
+
+
+@dataclass(slots=True)
+class LookPart:
+    """A time in which edited people look at something.
+
+    Attributes:
+        person: At whom; 0 for a point.
+        point: At which point, without a person [m].
+        height: The height of that point, -10 to 100 [m].
+        from_: Time in the take [s].
+        to: Time in the take [s], above `from`.
+    """
+
+    person: int = 0
+    point: Vec2 = (0.0, 0.0)
+    height: float = 1.6
+    from_: float = 0.0
+    to: float = 0.0
+
+
+@dataclass(slots=True)
+class TakeEdit:
+    """What is changed afterwards in how some people are shown; everybody else keeps everything.
+
+    Attributes:
+        people: Who, in ascending order; nobody has two edits.
+        pins: In ascending order, at least 0.1 s apart.
+        clock: None, or two and more in ascending order; before the first and after the last one their clock runs as
+            usual.
+        clips: In ascending order, apart from each other.
+        looks: In ascending order, apart from each other.
+    """
+
+    people: list[int] = field(default_factory=list)
+    pins: list[PathPin] = field(default_factory=list)
+    clock: list[ClockPoint] = field(default_factory=list)
+    clips: list[ClipPart] = field(default_factory=list)
+    looks: list[LookPart] = field(default_factory=list)
+
+
+@dataclass(slots=True)
 class TakeAbout:
     """What is said about a take: its name, and the part of it that is to be shown. It changes nothing of what was
         recorded.
@@ -2248,6 +2336,7 @@ class TakeAbout:
         to: Steps after which the part ends; kTakeEnd for the end of the take.
         speeds: In ascending order, apart from each other; at most kMaxSpeedPieces.
         camera: In ascending order of steps; at most kMaxCameraKeys.
+        edits: Changes of how some people are shown; at most kMaxEdits, of kMaxEdited people together.
     """
 
     title: str = ""
@@ -2255,6 +2344,7 @@ class TakeAbout:
     to: int = 0xffffffff
     speeds: list[SpeedPiece] = field(default_factory=list)
     camera: list[CameraKey] = field(default_factory=list)
+    edits: list[TakeEdit] = field(default_factory=list)
 
 
 @dataclass(slots=True)

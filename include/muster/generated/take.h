@@ -64,6 +64,63 @@ struct CameraKey {
     friend bool operator==(const CameraKey&, const CameraKey&) = default;
 };
 
+/// Holds the path of edited people at another place at one moment of their own clock; before and after it the
+/// path moves along, ever less.
+struct PathPin {
+    double time = 0.0;  ///< Time on the own clock of each of them, 0 or more [s].
+    Vec2 offset;        ///< How far from where they were then [m].
+    /// So long before and after the path moves along [s], 0.2 to 60; never beyond the next pin.
+    double seconds = 2.0;
+    /// Equal in all parts.
+    friend bool operator==(const PathPin&, const PathPin&) = default;
+};
+
+/// A moment at which edited people are as far on their path as they were at another.
+struct ClockPoint {
+    double time = 0.0;  ///< Time in the take [s].
+    double own = 0.0;   ///< Time of the recording that is shown then [s].
+    /// Equal in all parts.
+    friend bool operator==(const ClockPoint&, const ClockPoint&) = default;
+};
+
+/// A time in which edited people play a named clip.
+struct ClipPart {
+    std::string name;   ///< Name of the clip; one that does not repeat is played once.
+    double from = 0.0;  ///< Time in the take [s].
+    double to = 0.0;    ///< Time in the take [s], above `from`.
+    /// Equal in all parts.
+    friend bool operator==(const ClipPart&, const ClipPart&) = default;
+};
+
+/// A time in which edited people look at something.
+struct LookPart {
+    std::uint32_t person = 0;  ///< At whom; 0 for a point.
+    Vec2 point;                ///< At which point, without a person [m].
+    double height = 1.6;       ///< The height of that point, -10 to 100 [m].
+    double from = 0.0;         ///< Time in the take [s].
+    double to = 0.0;           ///< Time in the take [s], above `from`.
+    /// Equal in all parts.
+    friend bool operator==(const LookPart&, const LookPart&) = default;
+};
+
+/// What is changed afterwards in how some people are shown; everybody else keeps everything.
+struct TakeEdit {
+    std::vector<std::uint32_t> people;  ///< Who, in ascending order; nobody has two edits.
+    std::vector<PathPin> pins;          ///< In ascending order, at least 0.1 s apart.
+    /// None, or two and more in ascending order; before the first and after the last one their clock runs as
+    /// usual.
+    std::vector<ClockPoint> clock;
+    std::vector<ClipPart> clips;  ///< In ascending order, apart from each other.
+    std::vector<LookPart> looks;  ///< In ascending order, apart from each other.
+
+    /// Number of entries of each list.
+    static constexpr std::size_t kMaxParts = 64;
+    /// True where it changes nothing.
+    bool empty() const { return pins.empty() && clock.empty() && clips.empty() && looks.empty(); }
+    /// Equal in all parts.
+    friend bool operator==(const TakeEdit&, const TakeEdit&) = default;
+};
+
 /// What is said about a take: its name, and the part of it that is to be shown. It changes nothing of what
 /// was recorded.
 struct TakeAbout {
@@ -72,6 +129,8 @@ struct TakeAbout {
     std::uint32_t to = 0xffffffff;   ///< Steps after which the part ends; kTakeEnd for the end of the take.
     std::vector<SpeedPiece> speeds;  ///< In ascending order, apart from each other; at most kMaxSpeedPieces.
     std::vector<CameraKey> camera;   ///< In ascending order of steps; at most kMaxCameraKeys.
+    /// Changes of how some people are shown; at most kMaxEdits, of kMaxEdited people together.
+    std::vector<TakeEdit> edits;
 
     /// Number of camera keys.
     static constexpr std::size_t kMaxCameraKeys = 200;
@@ -79,6 +138,10 @@ struct TakeAbout {
     static constexpr std::size_t kMaxTitleBytes = 200;
     /// Number of speed pieces.
     static constexpr std::size_t kMaxSpeedPieces = 64;
+    /// Number of edits.
+    static constexpr std::size_t kMaxEdits = 200;
+    /// Number of people with edits.
+    static constexpr std::size_t kMaxEdited = 500;
     /// The first step of the part of a take with that many steps: below its last one.
     std::uint32_t firstStep(std::uint32_t steps) const;
     /// The last step of the part, at most `steps`.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/maths.h"
+#include "files/edits/edited_crowd.h"
 #include "files/export/chosen_people.h"
 #include "muster/motion.h"
 
@@ -26,8 +27,10 @@ struct Moment {
 class Resampler {
 public:
     /// `times` are those of the frames in the take.
-    Resampler(const ClipLibrary& library, const ExportDef& def, std::vector<double> times, Exporter& exporter)
+    Resampler(const ClipLibrary& library, const ExportDef& def, std::vector<double> times, EditedCrowd edited,
+              Exporter& exporter)
         : def_(def),
+          edited_(std::move(edited)),
           chosen_(def_),
           times_(std::move(times)),
           exporter_(exporter),
@@ -38,7 +41,8 @@ public:
     /// Takes the next step; returns false when no further steps are needed.
     bool observe(const World& world) {
         std::swap(before_, now_);
-        if (motion_) motion_->update(world);
+        const auto shown = edited_.shown(world);
+        if (motion_) motion_->update(world, shown);
         // Steps that are not adjacent to a frame are only simulated.
         const double step = world.parameters().stepTime;
         if (world.time() + step * 1.5 >= frameTime()) fill(world);
@@ -71,6 +75,18 @@ private:
             out.size = characterSize(out.id);
             if (motion_) fillMotion(i, out);
         }
+        if (!motion_) fillShown();
+    }
+
+    // Without motion edited people are put in their places here.
+    void fillShown() {
+        std::size_t i = 0;
+        for (const ShownCharacter& one : edited_.shown()) {
+            while (i < now_.characters.size() && now_.characters[i].id < one.id) ++i;
+            if (i == now_.characters.size() || now_.characters[i].id != one.id || !one.moved) continue;
+            now_.characters[i].position = one.position;
+            now_.characters[i].yaw = static_cast<float>(arcTangent2(one.heading.y, one.heading.x));
+        }
     }
 
     void fillMotion(std::size_t i, ExportCharacter& out) {
@@ -102,7 +118,7 @@ private:
             if (posesWanted_) frame_[i].pose = &poses_[i];
         }
         chosen_.keep(world, frame_);
-        return {next_, frameTime(), frame_, &world};
+        return {next_, frameTime(), frame_, &world, edited_.shown()};
     }
 
     void between(std::size_t b, double share, std::size_t i) {
@@ -121,6 +137,7 @@ private:
     }
 
     ExportDef def_;
+    EditedCrowd edited_;
     ChosenPeople chosen_;
     std::vector<double> times_;
     Exporter& exporter_;
@@ -135,6 +152,16 @@ private:
 
 /// Steps of the integration of a frame's way through the take.
 constexpr int kSpeedSamples = 8;
+
+/// How the take's edits show the crowd in that part.
+Result<EditedCrowd> editedCrowd(const Take& take, const ClipLibrary& library, const ExportDef& part,
+                                ReplayFrom from) {
+    auto tracks = gatherTracks(take, part.to, part.threads, from);
+    if (!tracks.ok()) return tracks.status();
+    EditedCrowd edited(take.about.edits, library);
+    edited.setTracks(std::make_shared<const OwnTracks>(std::move(tracks).value()));
+    return edited;
+}
 
 /// The times of the frames in the take.
 std::vector<double> timesOf(const ExportDef& def) {
@@ -186,10 +213,12 @@ Status exportTake(const Take& take, const ClipLibrary& library, const ExportDef&
     if (!times.ok()) return times.status();
     auto start = World::create(take.def, part.threads);
     if (!start.ok()) return start.status();
+    auto edited = editedCrowd(take, library, part, from);
+    if (!edited.ok()) return edited.status();
     const std::size_t chosen = ChosenPeople(part).idsIn(*start).size();
     const ExportInfo info{take.def.name, part.fps, part.from, times->size(), &*start, &library, chosen};
     if (Status s = exporter.begin(info); !s.ok()) return s;
-    Resampler resampler(library, part, std::move(*times), exporter);
+    Resampler resampler(library, part, std::move(*times), std::move(edited).value(), exporter);
     bool more = resampler.observe(*start);
     bool cancelled = false;
     if (more) {

@@ -13,6 +13,7 @@
 #include "muster/export.h"
 #include "muster/take.h"
 #include "muster/world.h"
+#include "people/motion/shown_character.h"
 
 namespace muster {
 
@@ -34,8 +35,9 @@ struct ExportFrame {
     std::size_t index = 0;  ///< Number of the frame, from 0.
     double time = 0.0;      ///< Time in the take [s].
     std::span<const ExportCharacter>
-        characters;                ///< Ordered by id. Characters may appear and leave within a take.
-    const World* world = nullptr;  ///< The world at the first step not before that time. Never null.
+        characters;                         ///< Ordered by id. Characters may appear and leave within a take.
+    const World* world = nullptr;           ///< The world at the first step not before that time. Never null.
+    std::span<const ShownCharacter> shown;  ///< Who is shown otherwise than in that world, by ids.
 };
 
 /// Facts about an export, known before its first frame.

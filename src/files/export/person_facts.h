@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 #include "files/export/exporter.h"
@@ -20,20 +21,26 @@ struct PersonFacts {
 /// Finds the facts of the characters of a frame, asked for in ascending order of ids.
 class PersonFactsReader {
 public:
-    explicit PersonFactsReader(const ExportFrame& frame) : world_(*frame.world) {}
+    explicit PersonFactsReader(const ExportFrame& frame) : world_(*frame.world), shown_(frame.shown) {}
 
     PersonFacts of(std::uint32_t id) {
         const CharactersView all = world_.characters();
         while (at_ < all.size() && all.id[at_] < id) ++at_;
         if (at_ == all.size() || all.id[at_] != id) return {};
         const GroupView group = world_.group(all.group[at_]);
-        return {group.id.value, all.motion[at_], at_ < all.goal.size() ? all.goal[at_] : 0, group.name,
-                length(all.velocity[at_])};
+        PersonFacts facts{group.id.value, all.motion[at_], at_ < all.goal.size() ? all.goal[at_] : 0,
+                          group.name, length(all.velocity[at_])};
+        while (next_ < shown_.size() && shown_[next_].id < id) ++next_;
+        if (next_ == shown_.size() || shown_[next_].id != id || !shown_[next_].moved) return facts;
+        facts.motion = shown_[next_].motion;
+        facts.speed = length(shown_[next_].velocity);
+        return facts;
     }
 
 private:
     const World& world_;
-    std::size_t at_ = 0;
+    std::span<const ShownCharacter> shown_;
+    std::size_t at_ = 0, next_ = 0;
 };
 
 }  // namespace muster

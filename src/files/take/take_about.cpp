@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "files/take/about_words.h"
+#include "files/take/take_edits.h"
 #include "json/json.h"
 
 namespace muster {
@@ -10,20 +12,16 @@ namespace {
 
 constexpr double kSlowest = 0.1, kFastest = 8.0;  // [seconds of the take per second]
 
-std::string text(double value) {
-    return compactJson(Json(value));
-}
-
 Status checkPiece(const SpeedPiece& piece, double earliest, const std::string& where) {
     if (!std::isfinite(piece.from) || piece.from < earliest)
-        return invalidArgument(where + ".from: found " + text(piece.from) + ", expected " + text(earliest) +
-                               " or later");
+        return invalidArgument(where + ".from: found " + numberText(piece.from) + ", expected " +
+                               numberText(earliest) + " or later");
     if (!std::isfinite(piece.to) || piece.to <= piece.from)
-        return invalidArgument(where + ".to: found " + text(piece.to) + ", expected later than from");
+        return invalidArgument(where + ".to: found " + numberText(piece.to) + ", expected later than from");
     if (!(piece.speed >= kSlowest && piece.speed <= kFastest))
-        return invalidArgument(where + ".speed: found " + text(piece.speed) + ", expected 0.1 to 8");
+        return invalidArgument(where + ".speed: found " + numberText(piece.speed) + ", expected 0.1 to 8");
     if (!std::isfinite(piece.ease) || piece.ease < 0.0)
-        return invalidArgument(where + ".ease: found " + text(piece.ease) + ", expected 0 or more");
+        return invalidArgument(where + ".ease: found " + numberText(piece.ease) + ", expected 0 or more");
     return {};
 }
 
@@ -32,14 +30,10 @@ double smooth(double share) {
     return t * t * (3.0 - 2.0 * t);
 }
 
-Status wrong(const std::string& key, const Json& found, const char* expected) {
-    return {StatusCode::ParseError, key + ": found " + describeJson(found) + ", expected " + expected};
-}
-
 Status readNumber(const Json& object, const char* key, double& value) {
     const Json* found = object.find(key);
     if (found == nullptr) return {};
-    if (!found->isNumber()) return wrong(key, *found, "a number");
+    if (!found->isNumber()) return wrongKind(key, *found, "a number");
     value = found->number();
     return {};
 }
@@ -48,16 +42,16 @@ Status readStep(const Json& object, const char* key, std::uint32_t& step) {
     const Json* found = object.find(key);
     if (found == nullptr || found->isNull()) return {};
     const bool fits = found->isWhole() && found->number() >= 0.0 && found->number() <= double{kTakeEnd};
-    if (!fits) return wrong(key, *found, "a number of steps");
+    if (!fits) return wrongKind(key, *found, "a number of steps");
     step = found->whole<std::uint32_t>();
     return {};
 }
 
 Status readSpeeds(const Json& list, std::vector<SpeedPiece>& speeds) {
-    if (!list.isArray()) return wrong("speeds", list, "an array");
+    if (!list.isArray()) return wrongKind("speeds", list, "an array");
     speeds.clear();
     for (const Json& entry : list.elements()) {
-        if (!entry.isObject()) return wrong("speeds", entry, "objects in it");
+        if (!entry.isObject()) return wrongKind("speeds", entry, "objects in it");
         SpeedPiece piece;
         for (const auto& [key, value] : {std::pair<const char*, double*>{"from", &piece.from},
                                          {"to", &piece.to},
@@ -150,7 +144,7 @@ Status TakeAbout::check() const {
         const Status s = checkKey(camera[i], later, "camera[" + std::to_string(i) + "]");
         if (!s.ok()) return s;
     }
-    return {};
+    return checkEdits(edits);
 }
 
 std::string writeTakeAbout(const TakeAbout& about) {
@@ -173,6 +167,7 @@ std::string writeTakeAbout(const TakeAbout& about) {
         if (key.cut) entry["cut"] = true;
         value["camera"].push(std::move(entry));
     }
+    if (!about.edits.empty()) value["edits"] = describeEdits(about.edits);
     return compactJson(value);
 }
 
@@ -184,7 +179,7 @@ Result<TakeAbout> readTakeAbout(std::string_view text, const std::string& source
                       sourceName + ": found " + describeJson(*value) + ", expected an object");
     TakeAbout about;
     if (const Json* title = value->find("title")) {
-        if (!title->isText()) return wrong("title", *title, "a text").within(sourceName);
+        if (!title->isText()) return wrongKind("title", *title, "a text").within(sourceName);
         about.title = title->text();
     }
     Status status = readStep(*value, "from", about.from);
@@ -193,6 +188,8 @@ Result<TakeAbout> readTakeAbout(std::string_view text, const std::string& source
         status = readSpeeds(*speeds, about.speeds);
     if (const Json* camera = value->find("camera"); status.ok() && camera != nullptr)
         status = readCamera(*camera, about.camera);
+    if (const Json* edits = value->find("edits"); status.ok() && edits != nullptr)
+        status = readEdits(*edits, about.edits);
     if (status.ok()) status = about.check();
     if (!status.ok()) return status.within(sourceName);
     return about;

@@ -8,8 +8,10 @@
 #include "engine/steering/character_arrays.h"
 #include "engine/world/inspect.h"
 #include "people/motion/crowd_view.h"
+#include "people/motion/head_look.h"
 #include "people/motion/player.h"
 #include "people/motion/posed_body.h"
+#include "people/motion/shown_character.h"
 
 namespace muster {
 
@@ -28,6 +30,8 @@ struct CrowdMotion::Impl {
     void findNear(const Characters& characters);
     void matchBodies();
     void standStill(const Characters& characters);
+    void put(std::span<const ShownCharacter> shown, CrowdView& crowd);
+    void turnHeads(std::span<const ShownCharacter> shown, float dt);
 
     const ClipLibrary* library;
     CrowdMotionDef def;
@@ -42,6 +46,9 @@ struct CrowdMotion::Impl {
     std::vector<PosedBody> spare;
     std::vector<PlacesView> places;                    ///< Places by group.
     std::vector<std::optional<MotionSet>> motionSets;  ///< Motion sets by group.
+    Characters put_;                                   ///< The crowd with who is shown otherwise.
+    std::vector<std::int32_t> chosen;                  ///< Chosen clips, by index.
+    bool looked = false;                               ///< True where somebody looked at something.
 };
 
 void CrowdMotion::Impl::findNear(const Characters& characters) {
@@ -102,7 +109,54 @@ void CrowdMotion::restart() {
     impl_->bodies.clear();
 }
 
+// The crowd as it is shown, a copy of the world's.
+void CrowdMotion::Impl::put(std::span<const ShownCharacter> shown, CrowdView& crowd) {
+    put_ = *crowd.characters;
+    chosen.assign(put_.size(), -1);
+    for (const ShownCharacter& one : shown) {
+        const std::int32_t i = put_.indexOf(one.id);
+        if (i < 0) continue;
+        chosen[i] = one.clip;
+        if (!one.moved) continue;
+        put_.position[i] = one.position;
+        put_.velocity[i] = one.velocity;
+        put_.heading[i] = one.heading;
+        put_.motion[i] = one.motion;
+        put_.phase[i] = one.phase;
+        put_.motionTime[i] = one.motionTime;
+        put_.patch[i] = one.patch;
+        put_.lastSingle[i] = one.lastSingle;
+        // It goes on as it goes now: no place of the simulation draws it.
+        put_.place[i] = -1;
+        const double top = crowd.maxSpeed * crowd.environment->ground(one.position).travelSpeed;
+        put_.direction[i] = one.velocity / top;
+    }
+    crowd.characters = &put_;
+    crowd.chosenClips = chosen;
+}
+
+// Who stands, walks or runs turns the head; other motions keep theirs.
+void CrowdMotion::Impl::turnHeads(std::span<const ShownCharacter> shown, float dt) {
+    if (shown.empty() && !looked) return;
+    looked = !shown.empty();
+    std::size_t at = 0;
+    for (PosedBody& body : bodies) {
+        while (at < shown.size() && shown[at].id < body.id) ++at;
+        const bool named = at < shown.size() && shown[at].id == body.id;
+        const Mover& mover = player.movers()[near[static_cast<std::size_t>(&body - bodies.data())]];
+        const ClipEntry& entry = table[mover.clip];
+        std::optional<Vec3> target = named ? shown[at].look : std::nullopt;
+        if (entry.use != ClipUse::Locomotion) target.reset();
+        turnHead(mover, target, dt, !entry.handsTouch, body);
+        looked = looked || body.lookYaw != 0.0f || body.lookPitch != 0.0f;
+    }
+}
+
 void CrowdMotion::update(const World& world) {
+    update(world, {});
+}
+
+void CrowdMotion::update(const World& world, std::span<const ShownCharacter> shown) {
     impl_->places.clear();
     impl_->motionSets.clear();
     for (std::size_t g = 0; g < world.groupCount(); ++g) {
@@ -118,7 +172,13 @@ void CrowdMotion::update(const World& world) {
     crowd.stepTime = world.parameters().stepTime;
     crowd.maxSpeed = world.parameters().character.maxSpeed;
     crowd.directReach = world.parameters().character.directReach;
+    if (!shown.empty()) impl_->put(shown, crowd);
     update(crowd);
+    if (impl_->table.size() > 0) impl_->turnHeads(shown, static_cast<float>(crowd.stepTime));
+}
+
+void CrowdMotion::forget(std::span<const std::uint32_t> ids) {
+    impl_->player.forget(ids);
 }
 
 void CrowdMotion::update(const CrowdView& crowd) {

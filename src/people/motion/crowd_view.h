@@ -27,6 +27,9 @@ struct CrowdView {
     std::span<const PlacesView> places;  ///< Places by group; may be fewer than groups.
     /// Motion set of each group; it may have fewer entries than there are groups.
     std::span<const std::optional<MotionSet>> motionSets;
+    /// The clip that each character is to play where its ground asks for none, -1 for none; empty for all
+    /// none.
+    std::span<const std::int32_t> chosenClips;
     double stepTime = Parameters{}.stepTime;             ///< Duration of a step [s] > 0.
     double maxSpeed = Parameters::Character{}.maxSpeed;  ///< Top speed on open ground [m/s].
     /// Distance to a place below which a character steers directly to it [m].

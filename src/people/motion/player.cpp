@@ -89,12 +89,17 @@ void Player::matchMovers(const Characters& characters) {
 
 void Player::follow(Mover& mover, const Characters& characters, std::size_t i, double dt) const {
     const Vec2 moved = characters.position[i] - mover.position;
-    if (lengthSquared(moved) > kPutElsewhere * kPutElsewhere)
+    if (mover.again || lengthSquared(moved) > kPutElsewhere * kPutElsewhere)
         begin(mover, characters, i);
     else
         mover.velocity += (moved / dt - mover.velocity) * std::min(1.0, dt / kVelocityTime);
     mover.position = characters.position[i];
     mover.switched = false;
+}
+
+void Player::forget(std::span<const std::uint32_t> ids) {
+    for (Mover& mover : movers_)
+        if (std::binary_search(ids.begin(), ids.end(), mover.id)) mover.again = true;
 }
 
 void Player::update(const CrowdView& crowd) {
@@ -134,6 +139,7 @@ void Player::play(Mover& mover, const Step& step) {
     const Characters& characters = *step.crowd->characters;
     const Motion& motion = motions_[characters.motion[step.i]];
     if (playAction(mover, step)) return;
+    if (motion.use != ClipUse::Cycle && playChosen(mover, step)) return;
     if (motion.clip < 0 || motion.use != ClipUse::Cycle) return playLocomotion(mover, step);
     const ClipEntry& cycle = table_[motion.clip];
     switch (characters.phase[step.i]) {
@@ -146,6 +152,27 @@ void Player::play(Mover& mover, const Step& step) {
         default:
             return playCycle(mover, step, motion.clip);
     }
+}
+
+// A clip that does not repeat is played once; then the character moves as usual.
+bool Player::playChosen(Mover& mover, const Step& step) const {
+    const auto clips = step.crowd->chosenClips;
+    const std::int32_t chosen = step.i < clips.size() ? clips[step.i] : -1;
+    if (chosen != mover.chosen) {
+        mover.chosen = chosen;
+        mover.chosenOver = false;
+        if (chosen >= 0 && mover.clip != chosen) show(mover, static_cast<std::size_t>(chosen), 0.0f);
+    }
+    if (chosen < 0 || mover.chosenOver) return false;
+    const ClipEntry& entry = table_[chosen];
+    if (mover.clip != chosen) show(mover, static_cast<std::size_t>(chosen), 0.0f);
+    float wanted = 1.0f;
+    if (entry.cyclic && !entry.standing && entry.speed > 0.0f)
+        wanted = std::clamp(step.speed / (entry.speed * mover.size) * mover.cadence, 0.7f, 1.3f);
+    mover.rate += (wanted - mover.rate) * std::min(1.0f, static_cast<float>(step.dt) / 0.08f);
+    advance(mover, step.dt);
+    mover.chosenOver = !entry.cyclic && mover.time >= entry.duration - 1.0e-4f;
+    return true;
 }
 
 void Player::playTransition(Mover& mover, const Step& step, std::int32_t clip, double transition) const {

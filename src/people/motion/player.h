@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/ground/environment/environment.h"
@@ -35,6 +36,9 @@ struct Mover {
     Rotation facing;              ///< Facing as a rotation, the same as `yaw`.
     float shift = 0.0f;           ///< Yaw from the simulated heading towards a crossing [rad].
     PatchCrossing action;         ///< Crossing of a single-step patch; its patch is 0 for none.
+    bool again = false;           ///< True where its motion starts again with the next update.
+    std::int32_t chosen = -1;     ///< Clip chosen for it (CrowdView::chosenClips); -1 for none.
+    bool chosenOver = false;      ///< True where that clip has been played to its end.
     std::uint32_t donePatch = 0;  ///< Last completed single-step patch, until the simulation clears it.
 };
 
@@ -69,6 +73,8 @@ public:
     Moment moment() const { return {movers_, searchSlot_}; }  ///< The present moment, to go back to.
     /// Goes back, or on, to a moment of a player with the same clips.
     void goBack(const Moment& moment) { movers_ = moment.movers, searchSlot_ = moment.searchSlot; }
+    /// The motion of these characters, by ids in ascending order, starts again.
+    void forget(std::span<const std::uint32_t> ids);
     /// Motion states, one per character.
     const std::vector<Mover>& movers() const { return movers_; }
 
@@ -93,6 +99,7 @@ private:
     void begin(Mover& mover, const Characters& characters, std::size_t i) const;
     void follow(Mover& mover, const Characters& characters, std::size_t i, double dt) const;
     void play(Mover& mover, const Step& step);
+    bool playChosen(Mover& mover, const Step& step) const;
     bool playAction(Mover& mover, const Step& step);
     static bool needsAction(Mover& mover, const Step& step);
     bool airborne(std::size_t clip, float time) const;

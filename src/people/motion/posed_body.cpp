@@ -216,7 +216,7 @@ private:
 void solveBody(const ClipTable& table, const Mover& mover, float dt, float decay, PosedBody& body) {
     if (body.fresh) {
         body.limbs = {};
-        body.drop = 0.0f;
+        body.drop = body.lookYaw = body.lookPitch = 0.0f;
     }
     BodyStep step(table, mover, dt, body);
     step.play(decay);

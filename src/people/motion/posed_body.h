@@ -38,7 +38,9 @@ struct PosedBody {
     std::array<LimbLock, kLockableLimbCount> limbs;  ///< Locks by index of kLockableLimbs.
     std::array<Vec3, 2> stance;                      ///< Smoothed points about which steps are scaled [m].
     std::array<float, 2> knees{};                    ///< Cosines of the knee angles shown last.
-    float drop = 0.0f;  ///< Distance by which hips are lowered to reach locked feet [m].
+    float drop = 0.0f;       ///< Distance by which hips are lowered to reach locked feet [m].
+    float lookYaw = 0.0f;    ///< How far the head is turned to the left to look at something [rad].
+    float lookPitch = 0.0f;  ///< How far it is raised [rad].
 };
 
 /// Computes `body.pose` for this step. `decay` = exp(-kInertialisationRate dt).

@@ -44,7 +44,7 @@ void Session::Impl::beginWith(World begun, const std::string& worldName, const W
     spoken.clear();
     ++worldNumber;
     name = worldName;
-    if (player || taken) touchTake();
+    if (player || taken) touchTake(), ++editsRevision;
     player = std::move(taken);
     ++takeNumber;
     versions.clear();
@@ -100,13 +100,14 @@ void Session::Impl::beginMotion() {
         if (client.greeted) warnOfClips(client);
     motion.restart(clips.ok() ? std::move(clips).value() : ownClips(),
                    player != nullptr && MotionFrames::tracksAll(worldDef));
+    if (player) player->setEdits(player->about().edits, motion.library());
     observeMotion();
 }
 
 void Session::Impl::observeMotion() {
     attentions.clear();
     for (const auto& [id, client] : clients) attentions.push_back(client.attention);
-    motion.observe(*world, attentions);
+    motion.observe(*world, attentions, shown());
 }
 
 // Warnings about a scenario go once to all clients, and to clients that join later.

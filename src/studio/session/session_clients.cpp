@@ -103,6 +103,7 @@ void Session::outgoing(std::uint32_t client, std::vector<MessageBytes>& messages
     if (to.greeted) impl_->sendDirectors(to);
     if (to.greeted) impl_->sendShared(to);
     if (to.greeted && impl_->world) impl_->sendTake(to);
+    if (to.greeted && impl_->world) impl_->sendEdits(to);
     if (to.greeted) impl_->sendHistory(to);
     to.scheme.send(to.outbox);
     if (to.greeted && impl_->world && !to.frames.waits()) {
@@ -123,7 +124,7 @@ void Session::Impl::sendDirectors(SessionClient& client) {
 // Builds the part of the frame that all clients share, once per state.
 void Session::Impl::buildFrame() {
     if (frameState == state) return;
-    frames.build(*world, frame);
+    frames.build(*world, frame, shown());
     motion.build(frames.crowd());
     frame.playing = playing;
     frame.speed = static_cast<float>(speed);

@@ -152,6 +152,7 @@ public:
     Status operator()(const protocol::EditTake& message) { return session_.editTake(message); }
     Status operator()(const protocol::AskPath& message) { return session_.askPath(client_, message); }
     Status operator()(const protocol::BendPath& message) { return session_.changePath(message); }
+    Status operator()(const protocol::EditPeople& message) { return session_.editPeople(message); }
 
     Status operator()(const protocol::WatchTracks& message) {
         client_.watchesTracks = message.on;

@@ -59,6 +59,7 @@ struct SessionClient {
     std::uint32_t sentTracks = 0;              ///< Number of the take whose tracks it has; 0 for none.
     std::uint32_t sentDirectors = 0;           ///< Revision of the directors sent; 0 for none.
     std::uint32_t sentShared = 0;              ///< Revision of the SharedWorld sent; 0 for none.
+    std::uint32_t sentEdits = 0;               ///< Revision of the last TakeEdits sent; 0 for none.
     std::uint32_t sentHistory = 0;             ///< Revision of the edits of the last EditHistory.
     double frameDue = 0.0;                     ///< Real time when the next frame is due while playing [s].
     std::vector<protocol::EventFrame> events;  ///< Events since the last frame.
@@ -157,6 +158,19 @@ struct Session::Impl {
     std::vector<std::uint8_t> openBytes() const;
     void tellRefused(std::size_t before);
 
+    // Edits of people in the open take (session_edits.cpp).
+    Status editPeople(const protocol::EditPeople& message);
+    void showEdits(std::vector<TakeEdit> edits);
+    void touchEdits();
+    Status keepEdits();
+    Status undoTakeEdit(bool redo);
+    void sendEdits(SessionClient& client);
+    const std::vector<protocol::EditFinding>& editFindings();
+    /// Who is shown otherwise than the world has them.
+    std::span<const ShownCharacter> shown() {
+        return player ? player->shown(*world) : std::span<const ShownCharacter>();
+    }
+
     // The world that directors share (session_shared.cpp).
     std::size_t greetedClients() const;
     std::uint32_t numberOf(std::uint32_t id) const;  ///< 0 for who is not there.
@@ -246,7 +260,10 @@ struct Session::Impl {
     bool tracksChange = false;             // It comes from such a change, and waits for its end.
     std::size_t refusedBefore = 0;         // Commands that the take before refused.
     bool endSaid = false;                  // It was said that it ends.
-    std::uint32_t takeRevision = 1;        // It grows with every change of what TakeState tells.
+    std::uint32_t editsRevision = 0;       // It grows with every change of edits and of what is found.
+    std::uint32_t troublesFor = 0;         // The revision that `troubles` is about.
+    std::vector<protocol::EditFinding> troubles;
+    std::uint32_t takeRevision = 1;  // It grows with every change of what TakeState tells.
     // Recorded commands beneath a take that is directed again, by step, and the next of them.
     std::vector<Command> layer;
     std::size_t nextOfLayer = 0;

@@ -175,3 +175,29 @@ TEST_CASE("an export ends where its progress says so") {
     CHECK(calls == 10);
     CHECK(recorder.finished == 0);
 }
+
+TEST_CASE("edited people are exported as they are shown, everybody else as recorded") {
+    Take take = shortTake();
+    for (const bool poses : {true, false}) {
+        Recorder plain, edited;
+        plain.poses = edited.poses = poses;
+        take.about.edits.clear();
+        REQUIRE(exportTake(take, ownClips(), {0.0, -1.0, 30.0, 1}, plain).ok());
+        take.about.edits = {{{2}, {{1.0, {0.0, 1.5}, 0.8}}, {}, {}, {}},
+                            {{4}, {}, {{0.2, 0.2}, {1.2, 0.8}}, {}, {}}};
+        REQUIRE(exportTake(take, ownClips(), {0.0, -1.0, 30.0, 1}, edited).ok());
+        REQUIRE(edited.frames.size() == plain.frames.size());
+        for (std::size_t f = 0; f < plain.frames.size(); ++f)
+            for (std::size_t i = 0; i < 9; ++i) {
+                const Vec2 was = plain.frames[f].characters[i].position;
+                const Vec2 is = edited.frames[f].characters[i].position;
+                if (i != 1 && i != 3) REQUIRE(is == was);
+            }
+        const auto at = [](const Recorder& all, std::size_t f, std::size_t i) {
+            return all.frames[f].characters[i].position;
+        };
+        CHECK(distance(at(edited, 30, 1), at(plain, 30, 1) + Vec2{0.0, 1.5}) < 1e-6);
+        CHECK(at(edited, 57, 1) == at(plain, 57, 1));
+        CHECK(distance(at(edited, 54, 3), at(plain, 42, 3)) < 1e-6);
+    }
+}

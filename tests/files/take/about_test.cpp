@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "files/take/take_edits.h"
 #include "files/take/take_encoder.h"
 #include "files/take/take_format.h"
 
@@ -91,4 +92,52 @@ TEST_CASE("Unknown words are ignored, wrong ones named") {
     refused("{\"camera\": [{\"step\": 1, \"cut\": 3}]}", "cut");
     refused("{\"camera\": [{\"step\": 1, \"distance\": 0}]}", "camera[0].distance");
     refused("{\"camera\": [{\"step\": 2}, {\"step\": 2}]}", "camera[1].step");
+}
+
+TEST_CASE("Edits of people come back, and each bad one is named") {
+    TakeAbout about{.title = "March"};
+    about.edits = {{{3, 7},
+                    {{1.5, {0.25, -2.0}, 2.0}, {4.0, {1.0, 0.0}, 60.0}},
+                    {{2.0, 2.0}, {5.0, 4.0}},
+                    {{"jog", 1.0, 2.5}},
+                    {{9, {}, 1.6, 0.0, 3.0}, {0, {4.0, 5.0}, 2.5, 3.0, 4.0}}},
+                   {{8}, {}, {}, {{"crawl", 0.0, 1.0}}, {}}};
+    const auto read = readTakeAbout(writeTakeAbout(about), "take");
+    REQUIRE_MESSAGE(read.ok(), read.status().message());
+    CHECK(*read == about);
+    const auto message = [](const char* edits) {
+        const auto bad = readTakeAbout(std::string("{\"edits\":") + edits + "}", "take");
+        CHECK_FALSE(bad.ok());
+        return bad.status().message();
+    };
+    CHECK(message("3") == "take: edits: found the number 3, expected an array");
+    CHECK(message(R"([{}])") == "take: people: found no array, expected the numbers of people");
+    CHECK(message(R"([{"people":[]}])") == "take: edits[0].people: found nobody, expected somebody");
+    CHECK(message(R"([{"people":[2,1]}])") ==
+          "take: edits[0].people[1]: found 1, expected numbers above 0 in ascending order");
+    CHECK(message(R"([{"people":[1]},{"people":[1]}])") ==
+          "take: edits[1].people[0]: found 1, expected nobody with two edits");
+    CHECK(message(R"([{"people":[1],"pins":[{"time":1},{"time":1.05}]}])") ==
+          "take: edits[0].pins[1].time: found 1.05, expected 1.1 to 1000000");
+    CHECK(message(R"([{"people":[1],"pins":[{"time":1,"x":1e8}]}])") ==
+          "take: edits[0].pins[0].x: found 100000000, expected -10000 to 10000");
+    CHECK(message(R"([{"people":[1],"pins":[{"time":1,"seconds":0}]}])") ==
+          "take: edits[0].pins[0].seconds: found 0, expected 0.2 to 60");
+    CHECK(message(R"([{"people":[1],"pins":[{"time":"now"}]}])") ==
+          "take: pins: time: found the text \"now\", expected a number");
+    CHECK(message(R"([{"people":[1],"clock":[{"time":1,"own":1}]}])") ==
+          "take: edits[0].clock: found 1, expected no points, or two and more");
+    CHECK(message(R"([{"people":[1],"clock":[{"time":1,"own":2},{"time":2,"own":1}]}])") ==
+          "take: edits[0].clock[1].own: found 1, expected a clock that runs 1/3 to 8 times as fast");
+    CHECK(message(R"([{"people":[1],"clips":[{"from":1,"to":2}]}])") ==
+          "take: clips: name: found no text, expected the name of a clip");
+    CHECK(message(R"([{"people":[1],"clips":[{"name":"run","from":3,"to":2}]}])") ==
+          "take: edits[0].clips[0].to: found 2, expected later than from");
+    CHECK(message(R"([{"people":[1],"looks":[{"height":1000,"from":1,"to":2}]}])") ==
+          "take: edits[0].looks[0].height: found 1000, expected -10 to 100");
+    CHECK(checkClips({{{1}, {}, {}, {{"fly", 0.0, 1.0}}, {}}}, {"run", "walk"}).message() ==
+          "there is no clip \"fly\"; there are run, walk");
+    // Not a number hides nowhere.
+    about.edits = {{{1}, {{std::nan(""), {}, 2.0}}, {}, {}, {}}};
+    CHECK_FALSE(about.check().ok());
 }

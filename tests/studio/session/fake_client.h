@@ -139,6 +139,7 @@ private:
         if (const auto* m = std::get_if<protocol::TakeState>(&message)) takes.push_back(*m);
         if (const auto* m = std::get_if<protocol::EditHistory>(&message)) history = *m;
         if (const auto* m = std::get_if<protocol::TakePath>(&message)) path = *m;
+        if (const auto* m = std::get_if<protocol::TakeEdits>(&message)) takeEdits = *m;
         if (const auto* m = std::get_if<protocol::TakeReady>(&message)) ready = m->steps;
         if (const auto* m = std::get_if<protocol::TakeTracks>(&message)) tracks = *m;
         if (const auto* m = std::get_if<protocol::TakeKept>(&message)) kept.push_back(*m);
@@ -180,6 +181,7 @@ public:
     protocol::EditHistory history;  ///< The newest.
     std::optional<protocol::TakePath> path;
     std::optional<protocol::TakeTracks> tracks;
+    std::optional<protocol::TakeEdits> takeEdits;
     std::uint32_t ready = 0;  ///< Steps of the last TakeReady.
     std::vector<protocol::TakeKept> kept;
     std::vector<protocol::StageTimes> stageTimes;

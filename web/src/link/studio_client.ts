@@ -21,6 +21,7 @@ import type {
   StudyForm,
   StudyState,
   TakeKept,
+  TakeEdits,
   TakePath,
   TakeReady,
   TakeTracks,
@@ -66,6 +67,7 @@ export interface StudioEvents {
   takeKept: TakeKept;
   editHistory: EditHistory;
   takePath: TakePath;
+  takeEdits: TakeEdits;
   stageTimes: StageTimes;
 }
 
@@ -96,6 +98,7 @@ const kEvents = {
   TakeKept: 'takeKept',
   EditHistory: 'editHistory',
   TakePath: 'takePath',
+  TakeEdits: 'takeEdits',
   StageTimes: 'stageTimes',
 } as const satisfies Record<Exclude<ServerMessage, Frame | Pong>['type'], keyof StudioEvents>;
 

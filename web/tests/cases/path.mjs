@@ -90,8 +90,15 @@ export async function path(studio, byMouse) {
   expect(await studio.page.locator('.time-line').isVisible(), 'the take stays open');
 }
 
-/** A single person's path, and what is refused. */
-export async function single(studio) {
+/** The place of the person with that index in the frame. */
+const placeOf = (studio, index) =>
+  studio.page.evaluate((i) => {
+    const { x, y } = globalThis.__muster.frame;
+    return { x: x[i], y: y[i] };
+  }, index);
+
+/** One person's path is changed by a pin under a finger; all others keep theirs. Undo, redo, and the take opened again. */
+export async function person(studio) {
   await record(studio, 2.5);
   await stop(studio);
   await play(studio);
@@ -100,40 +107,49 @@ export async function single(studio) {
   await studio.until('the path', () => document.querySelector('.path-line')?.points.length > 4, null, 20000);
   await studio.page.locator('.path-whose button', { hasText: 'Person' }).click();
   expect(/Tap a person/.test(await words(studio)), await words(studio));
-  const frame = await studio.frame();
-  const [at] = await studio.screen([{ x: frame.x[0], y: frame.y[0] }]);
-  const whole = await drawnPath(studio);
+  const others = () => studio.frame().then(({ x, y }) => [...x, ...y].filter((_, k) => k !== 0 && k !== x.length));
+  const before = { place: await placeOf(studio, 0), others: await others() };
+  const [at] = await studio.screen([before.place]);
   await studio.fingers.down({ 1: at });
   await studio.fingers.up();
-  await studio.eventually(async () => {
-    const own = await drawnPath(studio);
-    expect(
-      own.some((point, k) => away(point, whole[k]) > 3),
-      'it is another path',
-    );
-  });
+  await studio.until('the path of one', () => document.querySelectorAll('.path-line').length === 1, null, 20000);
+  await studio.until('its words', () => /^Person \d+: drag/.test(document.querySelector('.path-words').textContent));
   const dots = await drawnPath(studio);
   const step = await studio.page.evaluate(() => globalThis.__muster.frame.step);
-  const hand = dots[Math.round(step / 15)];
-  const place = () =>
-    studio.page.evaluate(() => {
-      const { x, y } = globalThis.__muster.frame;
-      return { x: x[0], y: y[0] };
-    });
-  const before = await place();
+  const hand = dots[Math.round(step / 15)] ?? dots.at(-1);
   const scale = await studio.page.evaluate(() => globalThis.__muster.view.pixelsPerMetre());
+  await studio.shot('person-path');
   await studio.fingers.down({ 1: hand });
-  await studio.fingers.move({ 1: { x: hand.x - 1.5 * scale, y: hand.y } }, { steps: 8, ms: 300 });
+  await studio.fingers.move({ 1: { x: hand.x, y: hand.y - 1.2 * scale } }, { steps: 8, ms: 400 });
+  await studio.until('a pin', () => document.querySelector('.path-pin.chosen'));
   await studio.fingers.up();
-  await studio.until(
-    'the other take',
-    () => /^Changed/.test(document.querySelector('.path-words').textContent),
-    null,
-    60000,
+  const moved = async () => away(before.place, await placeOf(studio, 0));
+  await studio.eventually(async () => expect((await moved()) > 0.6, `the person stands elsewhere: ${await moved()}`));
+  const same = (await others()).every((value, k) => value === before.others[k]);
+  expect(same, 'everybody else stands where they stood');
+  await studio.shot('person-pin');
+
+  await studio.page.locator('.path-undo').click();
+  await studio.eventually(async () => expect((await moved()) < 1e-3, `it is taken back: ${await moved()}`));
+  await studio.page.locator('.path-redo').click();
+  await studio.eventually(async () => expect((await moved()) > 0.6, `it is done again: ${await moved()}`));
+
+  await studio.page.locator('.path-time-open').click();
+  await studio.shot('person-time');
+  await studio.page.keyboard.press('Escape');
+  await studio.page.locator('.path-clip-open').click();
+  await studio.page.locator('.path-clips button', { hasText: /^jog$/ }).waitFor();
+  await studio.shot('person-clip');
+  await studio.page.keyboard.press('Escape');
+
+  const name = await studio.page.evaluate(async () => (await (await fetch('takes')).json()).takes[0].name);
+  const opened = await studio.page.evaluate(
+    async (path) => (await fetch(path, { method: 'POST' })).status,
+    `takes/${encodeURIComponent(name)}/open`,
   );
-  await studio.eventually(async () => {
-    const now = await place();
-    expect(away(before, now) > 0.5, `the person went ${away(before, now).toFixed(2)} m elsewhere`);
-  });
-  await studio.shot('path-single');
+  expect(opened === 200, `it opens again: ${opened}`);
+  await studio.send({ type: 'Playback', action: 1 });
+  await studio.send({ type: 'Seek', step });
+  await studio.until('the moment', (wished) => globalThis.__muster.frame.step === wished, step, 20000);
+  await studio.eventually(async () => expect((await moved()) > 0.6, `the change is kept: ${await moved()}`));
 }

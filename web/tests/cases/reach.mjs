@@ -14,6 +14,9 @@ const kMenus = [
   ['conduct', '.order-tile[aria-label="Conduct"]'],
   ['speed of parts', '.time-speed'],
   ['film camera', '.time-camera'],
+  ['time of a person', '.path-time-open'],
+  ['clip of a person', '.path-clip-open'],
+  ['look of a person', '.path-look-open'],
 ];
 
 /** Panels that stay until they are left: how they open, and what tells that they are. */
@@ -254,6 +257,15 @@ export async function watching(studio, reach = new Reach(studio)) {
   await studio.page.locator('.notice').waitFor();
   await reach.look('path, legend and a notice');
   await key(studio, 'v');
+  await press(studio, '.path-whose button:last-child');
+  const { x, y } = await studio.frame();
+  const [person] = await studio.screen([{ x: x[0], y: y[0] }]);
+  await studio.fingers.down({ 1: person });
+  await studio.fingers.up();
+  await studio.page.locator('.path-time-open').waitFor();
+  await press(studio, '.path-pin-add');
+  await reach.look('path of a person');
+  await reach.menus();
   await press(studio, '.path-close');
   await unfolded(studio, reach);
   await press(studio, '.time-export');

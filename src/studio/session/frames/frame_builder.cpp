@@ -146,10 +146,17 @@ void FrameBuilder::observe(const World& world) {
     stepsReported_ = false;
 }
 
-void FrameBuilder::buildCharacters(const World& world, protocol::Frame& frame) {
+void FrameBuilder::buildCharacters(const World& world, protocol::Frame& frame,
+                                   std::span<const ShownCharacter> shown) {
     const CharactersView characters = world.characters();
     const std::size_t count = characters.size();
-    crowd_.place(characters.position);
+    positions_.assign(characters.position.begin(), characters.position.end());
+    std::size_t at = 0;
+    for (const ShownCharacter& one : shown) {
+        while (at < count && characters.id[at] < one.id) ++at;
+        if (at < count && characters.id[at] == one.id && one.moved) positions_[at] = one.position;
+    }
+    crowd_.place(positions_);
     frame.ids.assign(characters.id.begin(), characters.id.end());
     frame.group.resize(count);
     for (std::size_t i = 0; i < count; ++i) frame.group[i] = static_cast<std::uint16_t>(characters.group[i]);
@@ -178,10 +185,10 @@ double FrameBuilder::lagP95(const World& world) {
     return lags_[rank];
 }
 
-void FrameBuilder::build(const World& world, protocol::Frame& frame) {
+void FrameBuilder::build(const World& world, protocol::Frame& frame, std::span<const ShownCharacter> shown) {
     frame.step = world.stepCount();
     frame.time = world.time();
-    buildCharacters(world, frame);
+    buildCharacters(world, frame, shown);
     frame.groups.resize(world.groupCount());
     places_.resize(world.groupCount());
     const std::vector<StandingCounts> standings = countStandings(world);

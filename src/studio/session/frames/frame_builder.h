@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "muster/world.h"
+#include "people/motion/shown_character.h"
 #include "studio/session/frames/crowd_picture.h"
 #include "studio/session/frames/places_encoder.h"
 #include "studio/session/inbox/protocol.h"
@@ -17,8 +18,9 @@ public:
     void restart();
     /// Must be called after every step.
     void observe(const World& world);
-    /// Writes ids, groups, moving obstacles and statistics of the world's present state to `frame`.
-    void build(const World& world, protocol::Frame& frame);
+    /// Writes ids, groups, moving obstacles and statistics of the world's present state to `frame`. Those in
+    /// `shown`, by ids, stand elsewhere.
+    void build(const World& world, protocol::Frame& frame, std::span<const ShownCharacter> shown = {});
     /// All characters at the last build, without motion; MotionFrames adds it.
     CrowdPicture& crowd() { return crowd_; }
     const CrowdPicture& crowd() const { return crowd_; }  ///< The same, to read.
@@ -28,7 +30,7 @@ public:
     std::uint32_t idsVersion() const { return idsVersion_; }
 
 private:
-    void buildCharacters(const World& world, protocol::Frame& frame);
+    void buildCharacters(const World& world, protocol::Frame& frame, std::span<const ShownCharacter> shown);
     double lagP95(const World& world);
 
     std::vector<std::uint32_t> swaps_;  // Swaps per step over the last steps, a ring buffer.
@@ -40,6 +42,7 @@ private:
     std::vector<std::uint8_t> radii_;
     std::uint32_t idsVersion_ = 0;
     CrowdPicture crowd_;
+    std::vector<Vec2> positions_;  // Where people are shown, where some are elsewhere.
     std::vector<PlacesPicture> places_;
     std::vector<float> lags_;    // Working memory.
     double slowestStep_ = 0.0;   // Duration of the slowest step since the last frame [ms].

@@ -144,7 +144,8 @@ void MotionFrames::encodeMotions() {
 }
 
 // Chooses the characters nearest to each client's attention; the lower id comes first at equal distance.
-void MotionFrames::chooseNear(const World& world, const std::vector<Attention>& attentions) {
+void MotionFrames::chooseNear(const World& world, const std::vector<Attention>& attentions,
+                              std::span<const ShownCharacter> shown) {
     const CharactersView characters = world.characters();
     near_.clear();
     for (const Attention& attention : attentions) {
@@ -159,21 +160,24 @@ void MotionFrames::chooseNear(const World& world, const std::vector<Attention>& 
         if (last != byDistance_.end()) std::nth_element(byDistance_.begin(), last, byDistance_.end());
         for (auto at = byDistance_.begin(); at != last; ++at) near_.push_back(at->second);
     }
+    if (!near_.empty())
+        for (const ShownCharacter& one : shown) near_.push_back(one.id);
     std::sort(near_.begin(), near_.end());
     near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
     if (!trackAll_) motion_->setNear(near_);
 }
 
-void MotionFrames::observe(const World& world, const std::vector<Attention>& attentions) {
+void MotionFrames::observe(const World& world, const std::vector<Attention>& attentions,
+                           std::span<const ShownCharacter> shown) {
     std::size_t asked = 0;
     for (const Attention& attention : attentions) asked += attention.count;
     if (untilChoice_ == 0 || asked != attended_) {
-        chooseNear(world, attentions);
+        chooseNear(world, attentions, shown);
         untilChoice_ = kStepsBetweenChoices;
         attended_ = asked;
     }
     --untilChoice_;
-    motion_->update(world);
+    motion_->update(world, shown);
 }
 
 void MotionFrames::build(CrowdPicture& picture) const {

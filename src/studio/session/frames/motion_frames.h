@@ -3,10 +3,12 @@
 
 #include <map>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "muster/clip.h"
 #include "muster/motion.h"
+#include "people/motion/shown_character.h"
 #include "studio/session/frames/crowd_picture.h"
 
 namespace muster {
@@ -30,7 +32,9 @@ public:
     /// True where a take of that scenario is small enough for it.
     static bool tracksAll(const WorldDef& def);
     /// Must be called after every step, with the attention of all clients.
-    void observe(const World& world, const std::vector<Attention>& attentions);
+    /// Those in `shown`, by ids, are shown otherwise and have whole poses wherever somebody has.
+    void observe(const World& world, const std::vector<Attention>& attentions,
+                 std::span<const ShownCharacter> shown = {});
     /// Writes headings, clips, phases and whole poses to `picture`.
     void build(CrowdPicture& picture) const;
 
@@ -40,6 +44,9 @@ public:
     const ClipLibrary& library() const { return *library_; }
     /// Goes to another moment of the same motion.
     void goBack(const CrowdMotionState& state);
+    /// The motion of these characters starts again with the next step.
+    void forget(std::span<const std::uint32_t> ids) { motion_->forget(ids); }
+    void startAgain() { motion_->restart(); }  ///< The motion of everybody starts again.
 
     /// The skeleton and the clips as an encoded Motions message.
     const std::vector<std::uint8_t>& motions() const { return motions_; }
@@ -47,7 +54,8 @@ public:
     std::uint32_t revision() const { return revision_; }
 
 private:
-    void chooseNear(const World& world, const std::vector<Attention>& attentions);
+    void chooseNear(const World& world, const std::vector<Attention>& attentions,
+                    std::span<const ShownCharacter> shown);
     void encodeMotions();
 
     std::unique_ptr<ClipLibrary> library_;  // On the heap, because CrowdMotion points to it.

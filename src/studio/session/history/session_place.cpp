@@ -84,8 +84,7 @@ Status Session::Impl::edit(SessionClient& client, const protocol::Edit& message)
 
 Status Session::Impl::undoEdit(SessionClient& client, bool redo) {
     if (!world) return {StatusCode::NotFound, "there is no world yet"};
-    if (player)
-        return {StatusCode::Unsupported, "a take is being replayed; load a scenario to edit its place"};
+    if (player) return undoTakeEdit(redo);
     // Orders of a paused world wait for its next step, and so does what takes them back.
     const bool steps = !editor.nextDirects(client.number, redo);
     if (Status s = editor.wantUndo(client.number, redo); !s.ok()) return s;
@@ -134,12 +133,13 @@ void Session::Impl::editsCarriedOut() {
 }
 
 void Session::Impl::sendHistory(SessionClient& client) {
-    if (client.sentHistory == editor.revision()) return;
+    const std::uint32_t revision = editor.revision() + editsRevision;
+    if (client.sentHistory == revision) return;
     // What comes of it is known soon: the step may pass over what nothing is left of.
     if (playing && editor.undoWaits(client.number)) return;
     const bool first = client.sentHistory == 0;
-    client.sentHistory = editor.revision();
-    const protocol::EditHistory history = editor.state(client.number);
+    client.sentHistory = revision;
+    const protocol::EditHistory history = player ? player->history().state() : editor.state(client.number);
     if (first && !history.edited && history.undo == 0 && history.redo == 0)
         return;  // A client takes for granted that there is nothing.
     client.outbox.push_back(protocol::encode(history));

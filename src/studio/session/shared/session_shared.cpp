@@ -214,6 +214,7 @@ Status Session::Impl::leaveTake(std::uint32_t id, bool records) {
 Status Session::Impl::reopen(const ParkedWorld& back) {
     if (Status s = openTake(back.takenBytes, back.def.name, back.takeName); !s.ok()) return s;
     player->edit(back.takeAbout, back.takeLoops);
+    showEdits(back.takeAbout.edits);
     player->want(back.takeStep);
     goOnAs(back);
     touchTake();

@@ -93,6 +93,7 @@ void Session::takeEdited(const std::string& fileName, const TakeAbout& about) {
     if (!impl_->player || fileName.empty() || impl_->player->fileName() != fileName) return;
     TakeAbout edited = about;
     edited.camera = impl_->player->about().camera;
+    edited.edits = impl_->player->about().edits;
     impl_->player->edit(edited, impl_->player->loops());
     impl_->touchTake();
 }
@@ -197,6 +198,7 @@ void Session::Impl::showStoredFrames() {
     const std::vector<std::uint8_t> bytes = takenBytes;
     if (!begin(name, worldDef, std::move(shown)).ok()) return;
     takenBytes = bytes;
+    showEdits(about.edits);
     playing = played;
     player->want(step);
 }
@@ -227,6 +229,8 @@ void Session::Impl::seek() {
             client.events.clear();
             client.frames.restart();
         }
+        // The first moment has no step before it.
+        if (player->edited() && world->stepCount() == 0) motion.startAgain(), observeMotion();
     }
     for (int i = 0; i < kStepsPerSeek && !player->reached(*world); ++i) {
         const Status same = player->step(*world, [this] { stepped(); });
@@ -240,17 +244,25 @@ void Session::Impl::seek() {
 }
 
 bool Session::preparing() const {
-    return impl_->player && impl_->player->preparing() && !impl_->player->seeking();
+    const TakePlayer* const player = impl_->player.get();
+    return player != nullptr && (player->preparing() || player->gathering()) && !player->seeking();
 }
 
 void Session::prepare() {
-    if (preparing()) impl_->player->prepare(impl_->motion);
+    if (preparing()) {
+        const bool reading = impl_->player->preparing();
+        if (impl_->player->prepare(impl_->motion)) impl_->player->showAgain(*impl_->world);
+        // Now it is known what is wrong with edits.
+        if (reading && !impl_->player->preparing() && !impl_->player->about().edits.empty())
+            impl_->touchEdits();
+    }
     if (impl_->player && impl_->player->marked()) impl_->keepChanged();
 }
 
 Status Session::Impl::editTake(const protocol::EditTake& message) {
     if (!player) return {StatusCode::Unsupported, "no take is open"};
     TakeAbout about;
+    about.edits = player->about().edits;
     about.title = message.title;
     about.from = message.from;
     about.to = message.to >= player->steps() ? kTakeEnd : message.to;

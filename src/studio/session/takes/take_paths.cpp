@@ -75,6 +75,32 @@ std::vector<Vec2> TakePaths::ofCharacter(std::uint32_t character, std::uint32_t&
         moments_, [](const Moment& m) -> const Entries& { return m.characters; }, character, first);
 }
 
+std::vector<RecordedPath> TakePaths::all(double stepTime) const {
+    std::map<std::uint32_t, RecordedPath> paths;
+    for (const auto& [step, moment] : moments_)
+        for (const auto& [id, at] : moment.characters) {
+            RecordedPath& path = paths[id];
+            if (path.points.empty()) path.first = step * stepTime;
+            path.points.push_back(at);
+        }
+    std::vector<RecordedPath> all;
+    for (auto& [id, path] : paths) {
+        path.person = id;
+        all.push_back(std::move(path));
+    }
+    return all;
+}
+
+bool TakePaths::knows(std::uint32_t character) const {
+    std::uint32_t first = 0;
+    return !ofCharacter(character, first).empty();
+}
+
+bool TakePaths::knowsPeople() const {
+    return std::any_of(moments_.begin(), moments_.end(),
+                       [](const auto& entry) { return !entry.second.characters.empty(); });
+}
+
 GroupId TakePaths::heldBy(std::uint32_t client, std::uint32_t touch, std::uint32_t step) const {
     const auto found = holders_.find({step, {client, touch}});
     return found == holders_.end() ? GroupId{} : found->second;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "files/edits/edit_findings.h"
 #include "muster/take.h"
 #include "muster/world.h"
 
@@ -28,6 +29,10 @@ public:
     std::vector<Vec2> ofGroup(GroupId group, std::uint32_t& first) const;
     /// The same of a character.
     std::vector<Vec2> ofCharacter(std::uint32_t character, std::uint32_t& first) const;
+    /// The paths of all characters, in ascending order of ids, for steps of that time [s].
+    std::vector<RecordedPath> all(double stepTime) const;
+    bool knows(std::uint32_t character) const;  ///< True where that character has a path.
+    bool knowsPeople() const;                   ///< False where the crowd is too large for that.
     /// The group whose mesh the finger of a client took hold of in that step; none where it took none.
     GroupId heldBy(std::uint32_t client, std::uint32_t touch, std::uint32_t step) const;
 

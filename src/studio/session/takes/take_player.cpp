@@ -23,6 +23,7 @@ TakePlayer::TakePlayer(std::shared_ptr<Take> take, std::string fileName)
       moments_(stepsPerSecond(*take_), kMomentBytes),
       paths_(*take_),
       news_(*take_),
+      edits_(*take_, false),
       marks_(takeMarks(*take_)) {}
 
 std::unique_ptr<TakePlayer> TakePlayer::marking(std::shared_ptr<Take> take) {
@@ -36,6 +37,7 @@ std::unique_ptr<TakePlayer> TakePlayer::marking(std::shared_ptr<Take> take) {
 std::unique_ptr<TakePlayer> TakePlayer::storedFrames(std::shared_ptr<Take> take, std::string fileName) {
     auto player = std::make_unique<TakePlayer>(std::move(take), std::move(fileName));
     player->stored_ = true;
+    player->edits_ = PlayerEdits(*player->take_, true);
     player->replayer_ = Replayer::stored(*player->take_);
     return player;
 }
@@ -56,8 +58,19 @@ void TakePlayer::kept(std::string fileName) {
 }
 
 void TakePlayer::edit(TakeAbout about, bool loop) {
+    about.edits = std::move(about_.edits);
     about_ = std::move(about);
     loop_ = loop;
+}
+
+void TakePlayer::setEdits(std::vector<TakeEdit> edits, const ClipLibrary& library) {
+    about_.edits = std::move(edits);
+    edits_.set(about_.edits, library);
+}
+
+void TakePlayer::showAgain(const World& world) {
+    if (!wanted_) wanted_ = world.stepCount();
+    stale_ = true;
 }
 
 Status TakePlayer::step(World& world, const std::function<void()>& stepped) {
@@ -77,11 +90,14 @@ void TakePlayer::keep(const World& world, const MotionFrames& motion) {
 
 bool TakePlayer::jump(World& world, MotionFrames& motion) {
     if (!wanted_) return false;
-    const auto* best = moments_.before(*wanted_);
+    // Edited people begin to move again with the step after a snapshot, which may hold how they moved before.
+    const auto* best = moments_.before(edited() && *wanted_ > 0 ? *wanted_ - 1 : *wanted_);
     const std::uint32_t now = world.stepCount();
-    if (best == nullptr || (now <= *wanted_ && now >= best->first)) return false;
+    const bool stale = std::exchange(stale_, false);
+    if (best == nullptr || (!stale && now <= *wanted_ && now >= best->first)) return false;
     if (!world.rewind(best->second.world).ok()) return false;
     motion.goBack(*best->second.motion);
+    motion.forget(edits_.touched());
     replayer_.goTo(best->second.cursor);
     return true;
 }
@@ -109,8 +125,13 @@ void TakePlayer::storeFrames(const World& world) {
     for (TakeFrame& frame : frames_.take()) take_->frames.push_back(std::move(frame));
 }
 
-void TakePlayer::prepare(const MotionFrames& motion) {
-    if (scouted_) return;
+bool TakePlayer::prepare(const MotionFrames& motion) {
+    if (scouted_) return edits_.gather();
+    scout(motion);
+    return false;
+}
+
+void TakePlayer::scout(const MotionFrames& motion) {
     if (!scout_) beginScout(motion);
     if (!scout_) return;
     Scout& scout = *scout_;

@@ -12,6 +12,8 @@
 #include "muster/take.h"
 #include "studio/session/frames/motion_frames.h"
 #include "studio/session/inbox/protocol.h"
+#include "studio/session/takes/edit_history.h"
+#include "studio/session/takes/player_edits.h"
 #include "studio/session/takes/take_moments.h"
 #include "studio/session/takes/take_news.h"
 #include "studio/session/takes/take_paths.h"
@@ -48,8 +50,15 @@ public:
     /// True where the part ends with the world's step.
     bool atEnd(const World& world) const { return world.stepCount() >= last(); }
 
-    /// Another title, part and speeds.
+    /// Another title, part and speeds; edits of people stay.
     void edit(TakeAbout about, bool loop);
+    /// Other edits of people, shown by the clips of a library, which must outlive this.
+    void setEdits(std::vector<TakeEdit> edits, const ClipLibrary& library);
+    /// The present moment is to be shown again, by the edits as they are now.
+    void showAgain(const World& world);
+    /// How edited people are shown after the world's step.
+    std::span<const ShownCharacter> shown(const World& world) { return edits_.shown(world); }
+    EditHistoryList& history() { return history_; }  ///< What was done to the edits.
 
     /// One step. Fails, naming the step, where it differs from the take.
     Status step(World& world, const std::function<void()>& stepped);
@@ -62,14 +71,18 @@ public:
     void stay() { wanted_.reset(); }                      ///< Asks for no moment any more.
     /// Goes to the best snapshot towards the wanted moment; true where the world has jumped.
     bool jump(World& world, MotionFrames& motion);
+    /// True where somebody is edited or was.
+    bool edited() const { return !edits_.touched().empty(); }
     /// Call after every step; true where the wanted moment has just been reached.
     bool reached(const World& world);
     std::uint32_t wanted() const { return wanted_.value_or(0); }  ///< The moment asked for.
 
     /// True while the scout has not read the whole take.
     bool preparing() const { return !scouted_; }
-    /// A step of the scout.
-    void prepare(const MotionFrames& motion);
+    /// True while it is reading again what edits need.
+    bool gathering() const { return edits_.gathering(); }
+    /// A step of the scout, or of what edits need; true where people are shown otherwise afterwards.
+    bool prepare(const MotionFrames& motion);
     /// Steps up to which seeks are quick.
     std::uint32_t ready() const { return scouted_ ? steps() : moments_.last(); }
     const TakeMoments& moments() const { return moments_; }  ///< The snapshots.
@@ -91,6 +104,7 @@ private:
         CrowdMotion motion;
     };
     void beginScout(const MotionFrames& motion);
+    void scout(const MotionFrames& motion);
     Replayer replayer();
     void storeFrames(const World& world);
 
@@ -105,6 +119,9 @@ private:
     TakeMoments moments_;
     TakePaths paths_;
     TakeNews news_;
+    PlayerEdits edits_;
+    EditHistoryList history_;
+    bool stale_ = false;  // True where the present moment is to be shown again.
     std::unique_ptr<Scout> scout_;
     bool scouted_ = false;
     FrameRecorder frames_;  // Of a take whose marks are made.

@@ -42,6 +42,15 @@ export const TakeMarkKind = {
 } as const;
 export type TakeMarkKind = (typeof TakeMarkKind)[keyof typeof TakeMarkKind];
 
+/** What is wrong with an edited path. */
+export const EditFindingKind = {
+  Person: 0,
+  Obstacle: 1,
+  Outside: 2,
+  Speed: 3,
+} as const;
+export type EditFindingKind = (typeof EditFindingKind)[keyof typeof EditFindingKind];
+
 /** How serious a notice is. */
 export const NoticeLevel = {
   Info: 0,

@@ -23,6 +23,12 @@ export const kPartLayouts: Readonly<Record<string, string>> = {
   TakeMark: 'kind:<4 step:u32 length:u32 label:text',
   TakeTrack: 'group:u32 name:text from:u32 to:u32',
   TakeBlock: 'id:u32 group:u32 kind:<3 begin:u32 begun:u32 end:u32 label:text moves:bool stretches:bool',
+  EditPin: 'time:f64 x:f64 y:f64 seconds:f64',
+  EditClock: 'time:f64 own:f64',
+  EditClip: 'name:text from:f64 to:f64',
+  EditLook: 'person:u32 x:f64 y:f64 height:f64 from:f64 to:f64',
+  PeopleEdit: 'people:u32s pins:EditPin* clock:EditClock* clips:EditClip* looks:EditLook*',
+  EditFinding: 'person:u32 kind:<4 other:u32 from:f64 to:f64 x:f64 y:f64 text:text',
   RawInput: 'kind:<2 phase:<4 device:<3 button:<3 pointer:u32 key:u8 x:f64 y:f64 time:f64 shift:bool control:bool alt:bool',
   SchemeInfo: 'name:text title:text description:text mesh:bool',
   ChoiceFrame: 'text:text',
@@ -84,6 +90,7 @@ export const kClientLayouts: readonly (readonly [string, string])[] = [
   ['Say', 'number:u32 act:<4 text:text chosen:u32s'],
   ['WatchTracks', 'on:bool'],
   ['EditTrack', 'revision:u32 edit:<6 block:u32 step:u32 group:u32'],
+  ['EditPeople', 'edit:PeopleEdit gesture:u32 kept:bool clear:bool'],
 ];
 
 // prettier-ignore
@@ -117,4 +124,5 @@ export const kServerLayouts: readonly (readonly [string, string])[] = [
   ['PlaceKept', 'title:text name:text problem:text'],
   ['Said', 'number:u32 act:<4 sentences:text problem:text completions:SaidCompletion* forecasts:ForecastFrame* places:PlacesFrame*'],
   ['TakeTracks', 'revision:u32 tracks:TakeTrack* blocks:TakeBlock* undo:text redo:text'],
+  ['TakeEdits', 'edits:PeopleEdit* findings:EditFinding* checked:bool clips:text*'],
 ];

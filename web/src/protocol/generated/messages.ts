@@ -4,6 +4,7 @@ import type {
   OverlayKind,
   MovingKind,
   TakeMarkKind,
+  EditFindingKind,
   NoticeLevel,
   InputKind,
   PointerDevice,
@@ -354,6 +355,72 @@ export interface TakeBlock {
   moves: boolean;
   /** It can take another time. */
   stretches: boolean;
+}
+
+/** Holds a path at another place at one moment of the own clock. */
+export interface EditPin {
+  /** On the own clock [s]. */
+  time: number;
+  /** How far from where they were then [m]. */
+  x: number;
+  y: number;
+  /** So long before and after the path moves along [s]. */
+  seconds: number;
+}
+
+/** A moment of the take at which another one of the recording is shown. */
+export interface EditClock {
+  /** [s]. */
+  time: number;
+  /** Time of the recording [s]. */
+  own: number;
+}
+
+/** A time in which a clip is played. */
+export interface EditClip {
+  name: string;
+  /** [s]. */
+  from: number;
+  to: number;
+}
+
+/** A time in which somebody looks at something. */
+export interface EditLook {
+  /** At whom; 0: at a point. */
+  person: number;
+  /** [m]. */
+  x: number;
+  y: number;
+  height: number;
+  /** [s]. */
+  from: number;
+  to: number;
+}
+
+/** What is changed afterwards in how some people of a take are shown. */
+export interface PeopleEdit {
+  /** In ascending order. */
+  people: Uint32Array;
+  pins: EditPin[];
+  clock: EditClock[];
+  clips: EditClip[];
+  looks: EditLook[];
+}
+
+/** Something wrong with the path of an edited person. */
+export interface EditFinding {
+  person: number;
+  kind: EditFindingKind;
+  /** The other person, or the obstacle. */
+  other: number;
+  /** [s]. */
+  from: number;
+  to: number;
+  /** Where it is worst [m]. */
+  x: number;
+  y: number;
+  /** In words, without the person. */
+  text: string;
 }
 
 /** What a person does with fingers, mouse and keys, before anything judges it. */
@@ -820,6 +887,19 @@ export interface EditTrack {
   group: number;
 }
 
+/** How these people of the open take are shown from now on; each of them leaves the edit that it had. Everybody else keeps everything. */
+export interface EditPeople {
+  type: 'EditPeople';
+  /** Without pins, clock, clips and looks: as recorded. */
+  edit: PeopleEdit;
+  /** Edits in a row with the same number are undone together; 0: alone. */
+  gesture: number;
+  /** The hand has lifted: it is kept with the take's file. */
+  kept: boolean;
+  /** Pins are moved out of obstacles. */
+  clear: boolean;
+}
+
 /** The first answer; again with another number where a take is taken up. */
 export interface Welcome {
   type: 'Welcome';
@@ -1222,6 +1302,18 @@ export interface TakeTracks {
   redo: string;
 }
 
+/** The edits of people in the open take; again whenever they change. */
+export interface TakeEdits {
+  type: 'TakeEdits';
+  edits: PeopleEdit[];
+  /** As soon as the take has been read. */
+  findings: EditFinding[];
+  /** The findings are complete. */
+  checked: boolean;
+  /** Names of the clips that can be chosen. */
+  clips: string[];
+}
+
 /** Any message of the page. */
 export type ClientMessage =
   | Hello
@@ -1260,7 +1352,8 @@ export type ClientMessage =
   | KeepPlace
   | Say
   | WatchTracks
-  | EditTrack;
+  | EditTrack
+  | EditPeople;
 
 /** Any message of the server. */
 export type ServerMessage =
@@ -1291,4 +1384,5 @@ export type ServerMessage =
   | Scenarios
   | PlaceKept
   | Said
-  | TakeTracks;
+  | TakeTracks
+  | TakeEdits;

@@ -12,12 +12,12 @@ constexpr std::array kClientNames{
     "FrameAck", "Ping", "Seek", "TakeAgain", "EditTake", "AskForecasts", "SetName", "GiveGroup", "SetScheme",
     "SetView", "Inputs", "EnterStudy", "AnswerForm", "AskPath", "BendPath", "Edit", "UndoEdit", "DoInStudy",
     "AskPlaces", "WatchStages", "AskStandings", "AskOthers", "AnswerAsk", "Build", "KeepPlace", "Say",
-    "WatchTracks", "EditTrack"};
+    "WatchTracks", "EditTrack", "EditPeople"};
 constexpr std::array kServerNames{
     "Welcome", "Scene", "Motions", "GroupMesh", "Frame", "Overlay", "Notice", "Pong", "TakePath",
     "EditHistory", "Forecasts", "TakeState", "TakeReady", "TakeKept", "Directors", "Marks", "StudyForm",
     "StudyState", "Places", "StageTimes", "Standings", "SharedWorld", "Ask", "AskAnswered", "Scenarios",
-    "PlaceKept", "Said", "TakeTracks"};
+    "PlaceKept", "Said", "TakeTracks", "TakeEdits"};
 static_assert(kClientNames.size() == std::variant_size_v<ClientMessage>);
 static_assert(kServerNames.size() == std::variant_size_v<ServerMessage>);
 

@@ -495,11 +495,27 @@ struct EditTrack {
     }
 };
 
+/// How these people of the open take are shown from now on; each of them leaves the edit that it had.
+/// Everybody else keeps everything.
+struct EditPeople {
+    static constexpr std::uint8_t kNumber = 37;  ///< First byte of the message.
+    PeopleEdit edit;  ///< Without pins, clock, clips and looks: as recorded.
+    std::uint32_t gesture = 0;  ///< Edits in a row with the same number are undone together; 0: alone.
+    bool kept = false;  ///< The hand has lifted: it is kept with the take's file.
+    bool clear = false;  ///< Pins are moved out of obstacles.
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(edit, gesture, kept, clear);
+    }
+};
+
 /// Any message of the page; the index is its number.
 using ClientMessage = std::variant<
     Hello, Touches, Playback, SetSpeed, LoadScenario, Record, SetOverlay, Commands, Attend, FrameAck, Ping,
     Seek, TakeAgain, EditTake, AskForecasts, SetName, GiveGroup, SetScheme, SetView, Inputs, EnterStudy,
     AnswerForm, AskPath, BendPath, Edit, UndoEdit, DoInStudy, AskPlaces, WatchStages, AskStandings, AskOthers,
-    AnswerAsk, Build, KeepPlace, Say, WatchTracks, EditTrack>;
+    AnswerAsk, Build, KeepPlace, Say, WatchTracks, EditTrack, EditPeople>;
 
 }  // namespace muster::protocol

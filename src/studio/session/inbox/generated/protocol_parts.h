@@ -30,6 +30,8 @@ enum class OverlayKind : std::uint8_t { None, Field, Cost, Density, Reach };
 enum class MovingKind : std::uint8_t { Obstacle, Patch };
 /// What a mark of a take stands for.
 enum class TakeMarkKind : std::uint8_t { Touch, Order, Change, Event };
+/// What is wrong with an edited path.
+enum class EditFindingKind : std::uint8_t { Person, Obstacle, Outside, Speed };
 /// How serious a notice is.
 enum class NoticeLevel : std::uint8_t { Info, Warning, Error };
 /// What a person uses.
@@ -66,6 +68,8 @@ template <>
 inline constexpr std::size_t kChoices<MovingKind> = 2;
 template <>
 inline constexpr std::size_t kChoices<TakeMarkKind> = 4;
+template <>
+inline constexpr std::size_t kChoices<EditFindingKind> = 4;
 template <>
 inline constexpr std::size_t kChoices<NoticeLevel> = 3;
 template <>
@@ -463,6 +467,95 @@ struct TakeBlock {
     template <class Archive>
     void visit(Archive& archive) {
         archive(id, group, kind, begin, begun, end, label, moves, stretches);
+        checkChoice(archive, kind);
+    }
+};
+
+/// Holds a path at another place at one moment of the own clock.
+struct EditPin {
+    double time = 0.0;  ///< On the own clock [s].
+    double x = 0.0;  ///< How far from where they were then [m].
+    double y = 0.0;
+    double seconds = 0.0;  ///< So long before and after the path moves along [s].
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(time, x, y, seconds);
+    }
+};
+
+/// A moment of the take at which another one of the recording is shown.
+struct EditClock {
+    double time = 0.0;  ///< [s].
+    double own = 0.0;  ///< Time of the recording [s].
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(time, own);
+    }
+};
+
+/// A time in which a clip is played.
+struct EditClip {
+    std::string name;
+    double from = 0.0;  ///< [s].
+    double to = 0.0;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(name, from, to);
+    }
+};
+
+/// A time in which somebody looks at something.
+struct EditLook {
+    std::uint32_t person = 0;  ///< At whom; 0: at a point.
+    double x = 0.0;  ///< [m].
+    double y = 0.0;
+    double height = 0.0;
+    double from = 0.0;  ///< [s].
+    double to = 0.0;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(person, x, y, height, from, to);
+    }
+};
+
+/// What is changed afterwards in how some people of a take are shown.
+struct PeopleEdit {
+    std::vector<std::uint32_t> people;  ///< In ascending order.
+    std::vector<EditPin> pins;
+    std::vector<EditClock> clock;
+    std::vector<EditClip> clips;
+    std::vector<EditLook> looks;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(people, pins, clock, clips, looks);
+    }
+};
+
+/// Something wrong with the path of an edited person.
+struct EditFinding {
+    std::uint32_t person = 0;
+    EditFindingKind kind = EditFindingKind::Person;
+    std::uint32_t other = 0;  ///< The other person, or the obstacle.
+    double from = 0.0;  ///< [s].
+    double to = 0.0;
+    double x = 0.0;  ///< Where it is worst [m].
+    double y = 0.0;
+    std::string text;  ///< In words, without the person.
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(person, kind, other, from, to, x, y, text);
         checkChoice(archive, kind);
     }
 };

@@ -506,10 +506,25 @@ struct TakeTracks {
     }
 };
 
+/// The edits of people in the open take; again whenever they change.
+struct TakeEdits {
+    static constexpr std::uint8_t kNumber = 28;  ///< First byte of the message.
+    std::vector<PeopleEdit> edits;
+    std::vector<EditFinding> findings;  ///< As soon as the take has been read.
+    bool checked = false;  ///< The findings are complete.
+    std::vector<std::string> clips;  ///< Names of the clips that can be chosen.
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(edits, findings, checked, clips);
+    }
+};
+
 /// Any message of the server; the index is its number.
 using ServerMessage = std::variant<
     Welcome, Scene, Motions, GroupMesh, Frame, Overlay, Notice, Pong, TakePath, EditHistory, Forecasts,
     TakeState, TakeReady, TakeKept, Directors, Marks, StudyForm, StudyState, Places, StageTimes, Standings,
-    SharedWorld, Ask, AskAnswered, Scenarios, PlaceKept, Said, TakeTracks>;
+    SharedWorld, Ask, AskAnswered, Scenarios, PlaceKept, Said, TakeTracks, TakeEdits>;
 
 }  // namespace muster::protocol

@@ -4,6 +4,8 @@ import { render, type VNode } from 'preact';
 import { kLeastReach, kMostReach } from '../../../model/take_path';
 import { ToolButton } from '../../widgets/buttons';
 import { element } from '../../widgets/dom';
+import type { PeopleEditor } from './people_editor';
+import { PeopleTools, type PeopleState } from './people_panel';
 
 export interface PathActions {
   setReach(seconds: number): void;
@@ -30,6 +32,7 @@ export class PathBar {
   private reach_ = kLeastReach;
   private single_ = false;
   private back_ = false;
+  private people_: { readonly state: PeopleState; readonly editor: PeopleEditor } | null = null;
 
   constructor(private readonly actions_: PathActions) {
     this.draw();
@@ -54,6 +57,11 @@ export class PathBar {
     this.draw();
   }
 
+  setPeople(state: PeopleState, editor: PeopleEditor): void {
+    this.people_ = { state, editor };
+    if (this.single_) this.draw();
+  }
+
   setBack(offered: boolean): void {
     this.back_ = offered;
     this.draw();
@@ -67,12 +75,12 @@ export class PathBar {
           <ToolButton label="Group" pressed={!this.single_} act={() => actions.setSingle(false)} />
           <ToolButton label="Person" pressed={this.single_} act={() => actions.setSingle(true)} />
         </div>
-        {this.reach()}
+        {this.single_ ? this.people_ && <PeopleTools {...this.people_} /> : this.reach()}
         <ToolButton
           icon="undo"
           label="Take before"
           class="path-back"
-          hidden={!this.back_}
+          hidden={!this.back_ || this.single_}
           tip="Opens the take as it was before the last change"
           act={() => actions.goBack()}
         />

@@ -7,7 +7,7 @@ import type { StudioFrame } from '../../../model/studio_frame';
 import type { StudioStore } from '../../../model/studio_store';
 import type { OpenTake } from '../../../model/take_facts';
 import { bent, grabbed, pointAt, wayOf, type PathPull, type TakeWay } from '../../../model/take_path';
-import { PlaybackAction, type Notice, type TakePath, type TakeState } from '../../../protocol/messages';
+import { PlaybackAction, type Notice, type TakeEdits, type TakePath, type TakeState } from '../../../protocol/messages';
 import { problem } from '../../../protocol/problem';
 import type { StudioScene } from '../../../scene/studio_scene';
 import { BuildPointer, type BuildStroke, type BuildStrokes } from '../../../tools/build_pointer';
@@ -15,6 +15,9 @@ import { onEscape } from '../../widgets/escape_key';
 import { ShelfLink } from '../../../link/shelf_link';
 import { PathBar, type PathActions } from './path_bar';
 import { PathLayer } from './path_layer';
+import { PeopleEditor } from './people_editor';
+import { peopleShapes } from './people_layer';
+import { wordsOf } from './people_panel';
 import '../../styles/path.css';
 
 export interface PathParts {
@@ -40,13 +43,13 @@ const kTap = 2;
 const kLeastPull = 0.05;
 
 const kAsk = 'Tap somebody to see the path.';
-const kPerson = 'Tap a person to see the path.';
 const kNone = 'There is no path: crowds above 2,000 have those of groups only.';
 const kPull = 'Drag the path where it should go elsewhere.';
 const kAgain = 'Everything is simulated again…';
 
 export class PathController implements BuildStrokes, PathActions {
   private readonly layer_: PathLayer;
+  private readonly people_: PeopleEditor;
   private readonly bar_ = new PathBar(this);
   private readonly shelf_ = new ShelfLink();
   private take_: OpenTake | null = null;
@@ -74,7 +77,14 @@ export class PathController implements BuildStrokes, PathActions {
     page.before(this.layer_.root);
     PanelLayout.of(page).add('paths', this.bar_.root);
     BuildPointer.over(view, this).listen(this.layer_.root);
-    client.on('frame', ({ frame }) => (this.frame_ = frame));
+    this.people_ = new PeopleEditor(parts_, members_, (state) => {
+      this.bar_.setPeople(state, this.people_);
+      if (this.single_) this.bar_.say(wordsOf(state));
+    });
+    client.on('frame', ({ frame }) => {
+      this.frame_ = frame;
+      if (this.open_ && this.single_) this.people_.setFrame(frame);
+    });
     client.on('takePath', (path) => this.came(path));
     client.on('takeReady', ({ steps }) => this.readSoFar(steps));
     client.on('takeKept', () => this.waits_ && this.kept());
@@ -111,12 +121,17 @@ export class PathController implements BuildStrokes, PathActions {
     if (!open) return this.forget();
     if (before && before.name === take.name && before.steps === take.steps) return;
     this.pull_ = null;
+    this.people_.restart(take.stepTime);
     if (this.shows_ >= 0) {
       this.parts_.client.send({ type: 'Playback', action: PlaybackAction.Pause });
       this.parts_.client.send({ type: 'Seek', step: Math.min(this.shows_, take.steps) });
     }
     this.shows_ = -1;
     if (this.whose_) this.ask(this.whose_);
+  }
+
+  setEdits(edits: TakeEdits): void {
+    this.people_.told(edits);
   }
 
   private forget(): void {
@@ -137,7 +152,7 @@ export class PathController implements BuildStrokes, PathActions {
     if (!this.take_ || asked?.group !== group || asked.character !== character) return;
     this.way_ = wayOf(points, spacing, this.take_.stepTime);
     if (points.length === 0) this.bar_.say(kNone);
-    else if ([kAsk, kNone, kPerson].includes(this.bar_.words)) this.bar_.say(kPull);
+    else if ([kAsk, kNone].includes(this.bar_.words)) this.bar_.say(kPull);
   }
 
   private readSoFar(steps: number): void {
@@ -164,6 +179,10 @@ export class PathController implements BuildStrokes, PathActions {
   private readonly drawn = (): void => {
     if (!this.open_) return;
     requestAnimationFrame(this.drawn);
+    if (this.single_)
+      return this.layer_.drawShapes(
+        peopleShapes(this.people_.picture(), (point) => this.parts_.view.worldToScreen(point)),
+      );
     const { way_: way, pull_: pull } = this;
     this.layer_.draw({
       way,
@@ -175,7 +194,9 @@ export class PathController implements BuildStrokes, PathActions {
 
   // Strokes.
 
-  begin({ screen, ground, touch }: BuildStroke): void {
+  begin(stroke: BuildStroke): void {
+    if (this.single_) return this.people_.begin(stroke);
+    const { screen, ground, touch } = stroke;
     const step = this.frame_?.step ?? 0;
     const toScreen = (point: GroundPoint): ScreenPoint => this.parts_.view.worldToScreen(point);
     const at = this.way_ && !this.waits_ ? grabbed(this.way_, screen, toScreen, touch ? kFinger : kMouse, step) : -1;
@@ -184,7 +205,9 @@ export class PathController implements BuildStrokes, PathActions {
     this.pans_ = at >= 0 ? null : screen;
   }
 
-  move({ screen, ground }: BuildStroke): void {
+  move(stroke: BuildStroke, still: boolean): void {
+    if (this.single_) return this.people_.move(stroke, still);
+    const { screen, ground } = stroke;
     if (this.pull_) this.pull_ = { at: this.pull_.at, dx: ground.x - this.from_.x, dy: ground.y - this.from_.y };
     else if (this.pans_) {
       this.parts_.view.camera.pan(this.pans_, screen);
@@ -193,7 +216,9 @@ export class PathController implements BuildStrokes, PathActions {
     }
   }
 
-  end({ ground }: BuildStroke, still: boolean): void {
+  end(stroke: BuildStroke, still: boolean): void {
+    if (this.single_) return this.people_.end(stroke, still);
+    const { ground } = stroke;
     const { pull_: pull, way_: way, whose_: whose } = this;
     this.pans_ = null;
     if (still) {
@@ -210,6 +235,7 @@ export class PathController implements BuildStrokes, PathActions {
   }
 
   cancel(): void {
+    if (this.single_) this.people_.cancel();
     if (!this.waits_) this.pull_ = null;
     this.pans_ = null;
   }
@@ -219,10 +245,11 @@ export class PathController implements BuildStrokes, PathActions {
   }
 
   threeFingers(): void {
-    this.goBack();
+    if (this.single_) this.people_.threeFingers();
+    else this.goBack();
   }
 
-  /** The person nearest to a tap, or its group. */
+  /** The group of the person nearest to a tap. */
   private choose(at: GroundPoint): void {
     const frame = this.frame_;
     if (!frame || this.waits_) return;
@@ -235,7 +262,7 @@ export class PathController implements BuildStrokes, PathActions {
     if (best < 0) return;
     const group = frame.groups[this.members_.group[best] ?? -1];
     if (!group) return;
-    this.ask({ group: group.id, character: this.single_ ? (this.members_.ids[best] ?? 0) : 0 });
+    this.ask({ group: group.id, character: 0 });
   }
 
   // Actions.
@@ -248,8 +275,9 @@ export class PathController implements BuildStrokes, PathActions {
   setSingle(single: boolean): void {
     this.single_ = single;
     this.bar_.setSingle(single);
-    if (!single && this.whose_ && this.whose_.character !== 0) this.ask({ group: this.whose_.group, character: 0 });
-    if (single) this.bar_.say(kPerson);
+    if (single && this.frame_) this.people_.setFrame(this.frame_);
+    this.people_.cancel();
+    if (!single) this.bar_.say(this.way_ ? kPull : kAsk);
   }
 
   goBack(): void {

@@ -20,13 +20,13 @@ export interface PathPicture {
   readonly held: number;
 }
 
-function shape(name: string, attributes: Readonly<Record<string, string | number>>): SVGElement {
+export function shape(name: string, attributes: Readonly<Record<string, string | number>>): SVGElement {
   const made = document.createElementNS(kSvg, name);
   for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, String(value));
   return made;
 }
 
-function line(points: readonly ScreenPoint[], name: string): SVGElement {
+export function line(points: readonly ScreenPoint[], name: string): SVGElement {
   return shape('polyline', {
     points: points.map(({ x, y }) => `${x.toFixed(1)},${y.toFixed(1)}`).join(' '),
     class: name,
@@ -38,6 +38,12 @@ export class PathLayer {
   private drawn_ = '';
 
   constructor(private readonly toScreen_: (point: GroundPoint) => ScreenPoint) {}
+
+  /** Draws other shapes instead of a path. */
+  drawShapes(parts: readonly SVGElement[]): void {
+    this.drawn_ = '';
+    this.root.replaceChildren(...parts);
+  }
 
   draw({ way, bent, now, held }: PathPicture): void {
     const old = way ? way.points.map(this.toScreen_) : [];
