@@ -70,15 +70,15 @@ Status checkKey(const CameraKey& key, bool later, const std::string& where) {
     for (const double value : {key.x, key.y, key.turn, key.pitch})
         if (!std::isfinite(value)) return invalidArgument(where + ": found a number that is not finite");
     if (!std::isfinite(key.distance) || key.distance <= 0.0)
-        return invalidArgument(where + ".distance: found " + text(key.distance) + ", expected above 0");
+        return invalidArgument(where + ".distance: found " + numberText(key.distance) + ", expected above 0");
     return {};
 }
 
 Status readCamera(const Json& list, std::vector<CameraKey>& camera) {
-    if (!list.isArray()) return wrong("camera", list, "an array");
+    if (!list.isArray()) return wrongKind("camera", list, "an array");
     camera.clear();
     for (const Json& entry : list.elements()) {
-        if (!entry.isObject()) return wrong("camera", entry, "objects in it");
+        if (!entry.isObject()) return wrongKind("camera", entry, "objects in it");
         CameraKey key;
         Status status = readStep(entry, "step", key.step);
         for (const auto& [name, value] : {std::pair<const char*, double*>{"x", &key.x},
@@ -88,7 +88,8 @@ Status readCamera(const Json& list, std::vector<CameraKey>& camera) {
                                           {"pitch", &key.pitch}})
             if (status.ok()) status = readNumber(entry, name, *value);
         const Json* cut = entry.find("cut");
-        if (status.ok() && cut != nullptr && !cut->isBoolean()) status = wrong("cut", *cut, "true or false");
+        if (status.ok() && cut != nullptr && !cut->isBoolean())
+            status = wrongKind("cut", *cut, "true or false");
         if (!status.ok()) return status.within("camera");
         key.cut = cut != nullptr && cut->boolean();
         camera.push_back(key);

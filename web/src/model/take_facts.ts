@@ -1,6 +1,7 @@
 // What the page knows of takes, and how it writes it.
 
 import type { SpeedPiece, TakeMark, TakeState } from '../protocol/messages';
+import { formatClock } from './formatters';
 
 /** A take on the server's shelf, as `GET /takes` tells of it. */
 export interface ShelvedTake {
@@ -30,6 +31,12 @@ export interface ShelvedTake {
 
 /** The last step of a part that goes on to the take's end. */
 export const kTakeEnd = 0xffffffff;
+
+/** Steps from one to another. */
+export interface StepRange {
+  readonly from: number;
+  readonly to: number;
+}
 
 /** The open take. */
 export type OpenTake = Omit<TakeState, 'type' | 'open'>;
@@ -139,4 +146,20 @@ export function countMarks(marks: readonly TakeMark[]): string {
     })
     .filter((text) => text !== '')
     .join(', ');
+}
+
+/** Of the take around its part so much is shown too, as shares of the part and of the take. */
+const kAround = 0.12;
+const kNearlyAll = 0.6;
+
+/** The steps that a time line shows: the part and some of what lies around it, or all where the part is most of it. */
+export function shownOf({ steps, from, to }: Pick<OpenTake, 'steps' | 'from' | 'to'>): StepRange {
+  if (to - from >= kNearlyAll * steps) return { from: 0, to: steps };
+  const around = Math.max(1, Math.ceil(kAround * (to - from)));
+  return { from: Math.max(0, from - around), to: Math.min(steps, to + around) };
+}
+
+/** What the clock of a take shows at a step: the time from the beginning of its part, with a minus before that. */
+export function clockAt({ from, stepTime }: Pick<OpenTake, 'from' | 'stepTime'>, step: number): string {
+  return `${step < from ? '\u2212' : ''}${formatClock(Math.abs(step - from) * stepTime)}`;
 }

@@ -38,10 +38,10 @@ it('goes on to show all of a take that has become longer', () => {
 });
 
 it('has lines of the ruler at even times, not too near to each other', () => {
-  const { steps, every } = ticksOf(whole, 600, kDt);
+  const { steps, every } = ticksOf(whole, 600, { from: 0, stepTime: kDt });
   expect(every).toBe(5);
   expect(steps).toEqual([0, 300, 600, 900, 1200]);
-  expect(ticksOf({ from: 0, to: 120 }, 600, kDt).every).toBe(0.5);
+  expect(ticksOf({ from: 0, to: 120 }, 600, { from: 0, stepTime: kDt }).every).toBe(0.5);
 });
 
 it('snaps to the playhead and to seconds, whichever is nearer', () => {
@@ -80,4 +80,10 @@ it('finds a block again in the changed take', () => {
   const blocks = [block(0, 1, 0, 10), block(1, 1, 300, 310), block(2, 2, 299, 310), block(3, 1, 299, 310, 'Turn')];
   expect(foundAgain(blocks, { group: 1, label: 'Move', begin: 290 })?.id).toBe(1);
   expect(foundAgain(blocks, { group: 4, label: 'Move', begin: 290 })).toBeNull();
+});
+
+it('counts the ruler from the beginning of the part', () => {
+  const { steps, every } = ticksOf({ from: 690, to: 1290 }, 600, { from: 730, stepTime: kDt });
+  expect(every).toBe(2);
+  expect(steps.slice(0, 2)).toEqual([730, 850]);
 });

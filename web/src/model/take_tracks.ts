@@ -1,5 +1,6 @@
 // The rows of a take's time line: where blocks lie in time and on the screen, and where they may be put.
 
+import type { OpenTake } from './take_facts';
 import type { TakeBlock, TakeTrack, TakeTracks } from '../protocol/messages';
 
 /** The part of a take that a time line shows [steps]. */
@@ -63,13 +64,14 @@ export function fitted(shown: TimeWindow, before: number, steps: number): TimeWi
 export function ticksOf(
   { from, to }: TimeWindow,
   width: number,
-  stepTime: number,
+  { from: zero, stepTime }: Pick<OpenTake, 'from' | 'stepTime'>,
 ): { readonly steps: readonly number[]; readonly every: number } {
   const seconds = (to - from) * stepTime;
   const every = kTicks.find((one) => (width * one) / Math.max(1e-9, seconds) >= kLeastTick) ?? 7200;
   const steps: number[] = [];
-  for (let k = Math.ceil((from * stepTime) / every - 1e-9); k * every <= to * stepTime + 1e-9; ++k)
-    steps.push(Math.max(0, Math.round((k * every) / stepTime)));
+  const [first, last] = [(from - zero) * stepTime, (to - zero) * stepTime];
+  for (let k = Math.ceil(first / every - 1e-9); k * every <= last + 1e-9; ++k)
+    steps.push(Math.max(0, zero + Math.round((k * every) / stepTime)));
   return { steps, every };
 }
 

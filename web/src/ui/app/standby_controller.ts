@@ -23,6 +23,7 @@ async function loadTheRest(): Promise<void> {
     import('../build/build_controller'),
     import('../takes/take_controller'),
     import('../takes/path/path_controller'),
+    import('../takes/tracks/tracks_controller'),
     import('../takes/film_writer'),
     import('../formations/sequence/sequence_controller'),
     import('../formations/shape_dialogs'),

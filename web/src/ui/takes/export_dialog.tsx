@@ -175,15 +175,15 @@ export class ExportDialog {
       kind,
       fps: kind.fps ?? Number(fps),
       size: kFilmSizes[size] ?? [1280, 720],
-      from: Number(from),
-      to: to === '' ? this.range_.end : Number(to),
+      from: this.range_.from + Number(from),
+      to: to === '' ? this.range_.end : this.range_.from + Number(to),
       people: everybody ? null : [Number(first), last === '' ? 0xffffffff : Number(last)],
     };
   }
 
   open(range: ExportRange): void {
     this.range_ = range;
-    const [from, to] = [String(range.from), String(range.to)];
+    const [from, to] = ['0', String(Number((range.to - range.from).toFixed(1)))];
     this.fields_ = { ...this.fields_, from, to, groups: [], first: '', last: '' };
     this.said_ = '';
     this.open_ = true;

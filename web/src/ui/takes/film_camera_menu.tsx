@@ -1,7 +1,7 @@
 // The key frames of the film camera, beside the other tools of the time line.
 
 import type { VNode } from 'preact';
-import { formatClock } from '../../model/formatters';
+import { clockAt, type OpenTake } from '../../model/take_facts';
 import type { CameraKey } from '../../scene/camera/film_camera';
 import { Button, ToolButton } from '../widgets/buttons';
 import { Menu } from '../widgets/menu';
@@ -18,24 +18,18 @@ export interface FilmCameraActions {
 export interface FilmCameraProps {
   readonly keys: readonly CameraKey[];
   readonly on: boolean;
-  readonly stepTime: number;
+  readonly take: Pick<OpenTake, 'from' | 'stepTime'>;
   readonly actions: FilmCameraActions;
 }
 
 const kEases = 'The camera moves with ease from view to view, also in films.';
 const kBegin = 'Move the camera and the playhead, and keep views: the camera then moves from one to the next.';
 
-function View({
-  step,
-  index,
-  cut,
-  stepTime,
-  actions,
-}: Pick<FilmCameraProps, 'stepTime' | 'actions'> & ViewPlace): VNode {
+function View({ step, index, cut, take, actions }: Pick<FilmCameraProps, 'take' | 'actions'> & ViewPlace): VNode {
   return (
     <div class="camera-key">
       <Button act={() => actions.showMoment(step)}>
-        View {index + 1} at {formatClock(step * stepTime)}
+        View {index + 1} at {clockAt(take, step)}
       </Button>
       <ToolButton
         icon="cut"
@@ -56,7 +50,7 @@ interface ViewPlace {
   readonly cut: boolean;
 }
 
-export function FilmCameraMenu({ keys, on, stepTime, actions }: FilmCameraProps): VNode {
+export function FilmCameraMenu({ keys, on, take, actions }: FilmCameraProps): VNode {
   const opener = {
     icon: 'camera',
     label: 'Camera',
@@ -83,7 +77,7 @@ export function FilmCameraMenu({ keys, on, stepTime, actions }: FilmCameraProps)
               </Button>
             </div>
             {keys.map(({ step, cut = false }, index) => (
-              <View key={step} step={step} index={index} cut={cut} stepTime={stepTime} actions={actions} />
+              <View key={step} step={step} index={index} cut={cut} take={take} actions={actions} />
             ))}
             <p class="secondary">{keys.length > 0 ? kEases : kBegin}</p>
           </>

@@ -37,7 +37,7 @@ it('tells where the take stands, in words and as a slider', () => {
   line.setStep(240);
   expect(at('.time-clock').textContent).toBe('0:03.0 of 0:08.0');
   const head = at('.time-playhead');
-  expect([head.getAttribute('aria-valuenow'), head.getAttribute('aria-valuetext')]).toEqual(['240', '0:04.0']);
+  expect([head.getAttribute('aria-valuenow'), head.getAttribute('aria-valuetext')]).toEqual(['240', '0:03.0']);
   expect(head.getAttribute('aria-description')).toBe('1 touch');
   line.setTake(null, '');
   expect(line.root.hidden).toBe(true);
@@ -98,4 +98,17 @@ it('offers no change of a take that plays from its stored frames, and says why',
   line.setTake({ ...take, stored: true }, 'Rain');
   expect(at('.time-stored').hidden).toBe(false);
   expect(line.root.hasAttribute('data-stored')).toBe(true);
+});
+
+it('shows the part of a long take with some of what lies around it, in seconds of the part', () => {
+  line.setTake({ ...take, steps: 60000, from: 48000, to: 49200 }, 'Late');
+  line.setStep(48600);
+  expect(at('.time-clock').textContent).toBe('0:10.0 of 0:20.0');
+  const left = (name: string): number => parseFloat(at(name).style.left);
+  expect(left('.time-from')).toBeCloseTo((100 * 144) / 1488, 3);
+  expect(left('.time-playhead')).toBeCloseTo(50, 3);
+  pointer('pointerdown', 400);
+  expect(calls).toEqual(['beginScrub', 'seek 48600']);
+  line.setStep(100);
+  expect(at('.time-playhead').style.left).toBe('50%');
 });

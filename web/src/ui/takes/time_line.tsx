@@ -1,10 +1,9 @@
 // The time line of the open take: where it stands, which part of it plays, and what can be done with it.
 
 import { render, type VNode } from 'preact';
-import { formatClock } from '../../model/formatters';
 import type { StudioStore } from '../../model/studio_store';
 import type { TakeActions } from '../../model/take_actions';
-import type { OpenTake } from '../../model/take_facts';
+import { clockAt, type OpenTake } from '../../model/take_facts';
 import type { CameraKey } from '../../scene/camera/film_camera';
 import { ToolButton } from '../widgets/buttons';
 import { element } from '../widgets/dom';
@@ -15,9 +14,8 @@ import { TimeTrack } from './time_track';
 
 const kStored = 'Recorded by another version of Muster: it plays from its stored frames and cannot be changed.';
 
-function clockOf({ from, to, stepTime }: OpenTake, step: number): string {
-  const at = formatClock((step - from) * stepTime);
-  return `${step < from ? '\u2212' : ''}${at} of ${formatClock((to - from) * stepTime)}`;
+function clockOf(take: OpenTake, step: number): string {
+  return `${clockAt(take, step)} of ${clockAt(take, take.to)}`;
 }
 
 export class TimeLine {
@@ -122,9 +120,7 @@ export class TimeLine {
           act={() => actions.setLoop(!take?.loop)}
         />
         {take && <SpeedMenu take={take} step={this.track.step} setSpeeds={(speeds) => actions.setSpeeds(speeds)} />}
-        {this.film_ && (
-          <FilmCameraMenu keys={this.keys_} on={this.films_} stepTime={take?.stepTime ?? 1 / 60} actions={this.film_} />
-        )}
+        {this.film_ && take && <FilmCameraMenu keys={this.keys_} on={this.films_} take={take} actions={this.film_} />}
         <ToolButton
           icon="download"
           label="Export"

@@ -1,9 +1,8 @@
 // The track of the time line: the playhead, the ends of the part, and what happened when.
 
 import { TakeMarkKind, type TakeMark } from '../../protocol/messages';
-import { formatClock } from '../../model/formatters';
 import type { TakeActions } from '../../model/take_actions';
-import { countMarks, trimmed, type OpenTake } from '../../model/take_facts';
+import { clockAt, countMarks, shownOf, trimmed, type OpenTake, type StepRange } from '../../model/take_facts';
 import { element, setAttribute } from '../widgets/dom';
 
 /** Rows of touches, from below. */
@@ -56,7 +55,11 @@ export class TimeTrack {
   private step_ = 0;
   private hold_: Hold | null = null;
   private keys_: readonly number[] = [];
-  private part_: { readonly from: number; readonly to: number } | null = null;
+  /** The take has been read up to there. */
+  private readyTo_ = 0;
+  private part_: StepRange | null = null;
+  /** The steps between its left and right end. */
+  private shown_: StepRange = { from: 0, to: 1 };
 
   constructor(private readonly actions_: TakeActions) {
     this.root.addEventListener('pointerdown', (event) => this.down(event));
@@ -75,11 +78,17 @@ export class TimeTrack {
   }
 
   setTake(take: OpenTake): void {
-    const sameMarks = this.take_?.marks === take.marks && this.take_.speeds === take.speeds;
+    const sameMarks =
+      this.take_?.marks === take.marks && this.take_.speeds === take.speeds && this.shows(shownOf(take));
     this.take_ = take;
+    if (this.hold_ === null) this.shown_ = shownOf(take);
     this.place();
     setAttribute(this.head_, 'aria-description', countMarks(take.marks));
     if (!sameMarks) this.drawMarks();
+  }
+
+  private shows({ from, to }: StepRange): boolean {
+    return this.shown_.from === from && this.shown_.to === to;
   }
 
   setStep(step: number): void {
@@ -89,8 +98,8 @@ export class TimeTrack {
   }
 
   setReady(steps: number): void {
-    const share = this.take_ ? Math.min(1, steps / this.take_.steps) : 0;
-    this.ready_.style.width = `${100 * share}%`;
+    this.readyTo_ = steps;
+    this.place();
   }
 
   /** Key frames of the camera. */
@@ -107,17 +116,18 @@ export class TimeTrack {
     return element('div', { class: name, role: 'slider', tabindex: 0, 'aria-label': label });
   }
 
-  private get part(): { readonly from: number; readonly to: number } {
+  private get part(): StepRange {
     return this.part_ ?? { from: this.take_?.from ?? 0, to: this.take_?.to ?? 0 };
   }
 
   private place(): void {
     const take = this.take_;
     if (!take) return;
-    const percent = (step: number): string => `${(100 * step) / Math.max(1, take.steps)}%`;
+    const percent = (step: number): string => `${100 * this.shareOf(step)}%`;
     const { from, to } = this.part;
     this.before_.style.width = percent(from);
-    this.after_.style.width = `${100 - (100 * to) / Math.max(1, take.steps)}%`;
+    this.after_.style.width = `${100 - 100 * this.shareOf(to)}%`;
+    this.ready_.style.width = percent(this.readyTo_);
     for (const [handle, step, low, high] of [
       [this.head_, this.step_, 0, take.steps],
       [this.from_, from, 0, to],
@@ -127,21 +137,27 @@ export class TimeTrack {
       setAttribute(handle, 'aria-valuemin', String(low));
       setAttribute(handle, 'aria-valuemax', String(high));
       setAttribute(handle, 'aria-valuenow', String(step));
-      setAttribute(handle, 'aria-valuetext', formatClock(step * take.stepTime));
+      setAttribute(handle, 'aria-valuetext', clockAt(take, step));
     }
   }
 
   private stepAt(clientX: number): number {
     const box = this.root.getBoundingClientRect();
     const share = box.width > 0 ? (clientX - box.left) / box.width : 0;
-    return Math.round(Math.min(1, Math.max(0, share)) * (this.take_?.steps ?? 0));
+    const { from, to } = this.shown_;
+    return Math.round(from + Math.min(1, Math.max(0, share)) * (to - from));
+  }
+
+  /** Where a step lies, from 0 at the left end to 1; what is not shown lies at an end. */
+  private shareOf(step: number): number {
+    const { from, to } = this.shown_;
+    return Math.min(1, Math.max(0, (step - from) / Math.max(1, to - from)));
   }
 
   /** An end of the part where the press is at it and not nearer to the playhead. */
   private holdAt(clientX: number): Hold {
     const box = this.root.getBoundingClientRect();
-    const steps = Math.max(1, this.take_?.steps ?? 1);
-    const far = (step: number): number => Math.abs(clientX - box.left - (box.width * step) / steps);
+    const far = (step: number): number => Math.abs(clientX - box.left - box.width * this.shareOf(step));
     const { from, to } = this.part;
     const [toFrom, toTo, toHead] = [far(from), far(to), far(this.step_)];
     // At an end the playhead lies on the handle: the press is above or below it by kind.
@@ -230,7 +246,8 @@ export class TimeTrack {
     context.scale(ratio, ratio);
     const style = getComputedStyle(this.root);
     const colour = (name: string): string => style.getPropertyValue(name).trim();
-    const x = (step: number): number => (width * step) / Math.max(1, take.steps);
+    const { from, to } = this.shown_;
+    const x = (step: number): number => (width * (step - from)) / Math.max(1, to - from);
     context.font = `550 11px ${style.fontFamily}`;
     for (const piece of take.speeds) {
       const [left, right] = [x(piece.from / take.stepTime), x(piece.to / take.stepTime)];

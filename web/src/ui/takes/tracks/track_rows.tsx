@@ -1,7 +1,7 @@
 // The rows of the time line: the ruler, the groups with their blocks, and the camera with its keys and shots.
 
 import type { ComponentChildren, VNode } from 'preact';
-import { formatClock } from '../../../model/formatters';
+import { clockAt, type OpenTake } from '../../../model/take_facts';
 import { edited, linesOf, rowsOf, ticksOf, xOf, type TrackRow } from '../../../model/take_tracks';
 import { TakeBlockKind, type TakeBlock } from '../../../protocol/messages';
 import { shotsOf } from '../../../scene/camera/film_camera';
@@ -41,9 +41,9 @@ export function iconOf({ kind, label }: Pick<TakeBlock, 'kind' | 'label'>): Icon
 }
 
 /** `Move to Fountain, 0:00.5 to 0:08.0`. */
-function spoken(block: TakeBlock, begin: number, end: number, stepTime: number): string {
-  const from = formatClock(begin * stepTime);
-  return end > begin ? `${block.label}, ${from} to ${formatClock(end * stepTime)}` : `${block.label}, ${from}`;
+function spoken(block: TakeBlock, begin: number, end: number, take: OpenTake): string {
+  const from = clockAt(take, begin);
+  return end > begin ? `${block.label}, ${from} to ${clockAt(take, end)}` : `${block.label}, ${from}`;
 }
 
 function Block({ state, actions, block, line }: RowsProps & { block: TakeBlock; line: number }): VNode {
@@ -63,7 +63,7 @@ function Block({ state, actions, block, line }: RowsProps & { block: TakeBlock; 
         data-block={block.id}
         data-fixed={!block.moves || undefined}
         data-moved={(change !== null && !copies) || undefined}
-        aria-label={spoken(block, begin, end, take.stepTime)}
+        aria-label={spoken(block, begin, end, take)}
         aria-pressed={isChosen}
         onClick={() => actions.choose({ block: block.id })}
         style={{ left: `${left}px`, width: `${breadth}px`, top: `${2 + line * kLine}px`, '--wait': `${waits}px` }}
@@ -132,14 +132,14 @@ function Row({ row, state, actions }: RowsProps & { row: TrackRow }): VNode {
 
 function Ruler({ state }: { state: TracksState }): VNode {
   const { shown, width, take } = state;
-  const { steps, every } = ticksOf(shown, width, take.stepTime);
+  const { steps, every } = ticksOf(shown, width, take);
   return (
     <div class="track-row track-times">
       <div class="track-name" />
       <Lane name="Times" class="track-ruler">
         {steps.map((step) => (
           <span key={step} class="track-tick" style={{ left: `${xOf(shown, width, step)}px` }}>
-            {every < 1 ? formatClock(step * take.stepTime) : formatClock(step * take.stepTime).replace(/\.0$/, '')}
+            {every < 1 ? clockAt(take, step) : clockAt(take, step).replace(/\.0$/, '')}
           </span>
         ))}
       </Lane>
@@ -182,7 +182,7 @@ function CameraRow({ state, actions }: RowsProps): VNode {
             class="track-key"
             data-key={step}
             data-cut={cut || undefined}
-            aria-label={`${cut ? 'Cut to view' : 'View'} ${k + 1}, ${formatClock(stepOf(step) * take.stepTime)}`}
+            aria-label={`${cut ? 'Cut to view' : 'View'} ${k + 1}, ${clockAt(take, stepOf(step))}`}
             aria-pressed={chosen !== null && 'key' in chosen && chosen.key === step}
             onClick={() => actions.choose({ key: step })}
             style={{ left: `${xOf(shown, width, stepOf(step))}px` }}

@@ -1,7 +1,7 @@
 // What can be done with what is chosen on the rows of the time line, and what is told of them.
 
 import type { VNode } from 'preact';
-import { formatClock } from '../../../model/formatters';
+import { clockAt } from '../../../model/take_facts';
 import type { TakeBlock } from '../../../protocol/messages';
 import { Icon, ToolButton } from '../../widgets/buttons';
 import { iconOf, type RowsProps } from './track_rows';
@@ -42,7 +42,7 @@ function BlockTools({ state, actions, block }: RowsProps & { block: TakeBlock })
   const { stepTime } = take;
   const { id, begin, begun, end, label, group } = block;
   const put = (seconds: number): void =>
-    actions.commit({ edit: 'move', id, step: Math.min(take.steps - 1, Math.round(seconds / stepTime)) });
+    actions.commit({ edit: 'move', id, step: Math.min(take.steps - 1, take.from + Math.round(seconds / stepTime)) });
   const others = (tracks?.tracks ?? []).filter((one) => one.group !== group);
   return (
     <>
@@ -52,7 +52,13 @@ function BlockTools({ state, actions, block }: RowsProps & { block: TakeBlock })
       </strong>
       {block.moves && (
         <>
-          <Seconds label={`When ${label} begins`} word="at" value={begin * stepTime} least={0} set={put} />
+          <Seconds
+            label={`When ${label} begins`}
+            word="at"
+            value={(begin - take.from) * stepTime}
+            least={-take.from * stepTime}
+            set={put}
+          />
           {block.stretches && end > begun && (
             <Seconds
               label={`How long ${label} takes`}
@@ -65,8 +71,8 @@ function BlockTools({ state, actions, block }: RowsProps & { block: TakeBlock })
           <ToolButton
             icon="later"
             label="To the playhead"
-            tip={`Begins at ${formatClock(step * stepTime)}`}
-            act={() => put(state.step * stepTime)}
+            tip={`Begins at ${clockAt(take, step)}`}
+            act={() => put((step - take.from) * stepTime)}
           />
           <ToolButton
             icon="copy"
@@ -106,11 +112,21 @@ function KeyTools({ state, actions, at }: RowsProps & { at: number }): VNode {
   const index = keys.findIndex(({ step }) => step === at);
   const cut = keys[index]?.cut ?? false;
   const move = (seconds: number): void =>
-    actions.commit({ edit: 'key', id: at, step: Math.min(take.steps, Math.round(seconds / take.stepTime)) });
+    actions.commit({
+      edit: 'key',
+      id: at,
+      step: Math.min(take.steps, take.from + Math.round(seconds / take.stepTime)),
+    });
   return (
     <>
       <strong class="track-chosen">View {index + 1}</strong>
-      <Seconds label={`When view ${index + 1} is shown`} word="at" value={at * take.stepTime} least={0} set={move} />
+      <Seconds
+        label={`When view ${index + 1} is shown`}
+        word="at"
+        value={(at - take.from) * take.stepTime}
+        least={-take.from * take.stepTime}
+        set={move}
+      />
       <ToolButton
         icon="cut"
         label="Cut"

@@ -62,7 +62,7 @@ afterEach(() => tracks.setOpen(false));
 it('asks for tracks, and names blocks with their times', () => {
   expect(sent).toEqual([{ type: 'WatchTracks', on: true }]);
   expect(at('.track-block').ariaLabel ?? at('.track-block').getAttribute('aria-label')).toBe(
-    'Move to Fountain, 0:01.0 to 0:03.0',
+    'Move to Fountain, 0:00.0 to 0:02.0',
   );
   expect([...tracks.root.querySelectorAll('.track-name')].map((name) => name.textContent)).toContain('Group 2');
   expect(at('.track-block').style.left).toBe('60px');

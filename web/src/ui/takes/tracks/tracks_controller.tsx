@@ -3,7 +3,7 @@
 import { render } from 'preact';
 import type { StudioClient } from '../../../link/studio_client';
 import { fitted, foundAgain, xOf, zoomed, type TimeWindow } from '../../../model/take_tracks';
-import type { OpenTake } from '../../../model/take_facts';
+import { shownOf, type OpenTake } from '../../../model/take_facts';
 import type { StudioStore } from '../../../model/studio_store';
 import { TrackEdit, type Notice, type TakeBlock, type TakeTracks } from '../../../protocol/messages';
 import type { CameraKey } from '../../../scene/camera/film_camera';
@@ -93,7 +93,7 @@ export class TracksController implements TrackActions {
     if (!take) return this.forget();
     if (before.take && before.take.name !== take.name && this.waits_ === undefined) this.anotherTake();
     if (!before.take || before.take.steps !== take.steps)
-      this.window_ = before.take ? fitted(this.window_, before.take.steps, take.steps) : { from: 0, to: take.steps };
+      this.window_ = before.take ? fitted(this.window_, before.take.steps, take.steps) : shownOf(take);
     if (before.take !== take || before.keys !== shown.keys || before.films !== shown.films) this.draw();
     else if (before.step !== shown.step) this.placeHead();
   }
