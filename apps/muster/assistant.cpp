@@ -1,9 +1,9 @@
 #include "assistant.h"
 
-#include <cmath>
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "engine/state/command_archive.h"

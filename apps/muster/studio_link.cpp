@@ -83,8 +83,7 @@ struct StudioLink::Impl {
         const auto found = resolver.resolve(address.host, address.port, error);
         auto& lowest = beast::get_lowest_layer(*socket);
         lowest.expires_after(kConnectTime);
-        if (!error)
-            lowest.async_connect(found, [&](LinkError ended, const auto&) { error = ended; });
+        if (!error) lowest.async_connect(found, [&](LinkError ended, const auto&) { error = ended; });
         finishWork();
         if (error)
             return {StatusCode::IoError,
@@ -113,8 +112,9 @@ struct StudioLink::Impl {
     }
 
     Status silent() const {
-        return {StatusCode::IoError, "What listens at " + where() +
-                                         " does not answer as a studio does: start one with 'muster studio'."};
+        return {StatusCode::IoError,
+                "What listens at " + where() +
+                    " does not answer as a studio does: start one with 'muster studio'."};
     }
 
     void close() {

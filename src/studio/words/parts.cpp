@@ -60,7 +60,8 @@ bool Planner::does(const Act& act, const char* verb, unsigned parts) {
 // What is no order happens at once: it cannot wait for an order that came before.
 bool Planner::doesNow(const Act& act, const char* verb, unsigned parts) {
     if (act.then && (fresh_ || !ordered_.empty())) {
-        fail("“" + std::string(verb) + "” cannot come later: say it in a sentence of its own when it is time.");
+        fail("“" + std::string(verb) +
+             "” cannot come later: say it in a sentence of its own when it is time.");
         return false;
     }
     return does(act, verb, parts);

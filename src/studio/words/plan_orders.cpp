@@ -108,7 +108,8 @@ std::vector<Vec2> Planner::routeOf(const Act& act, const Crew& crew, Vec2 target
         const ThingSpot* const gate = gateAt(spot, walker.middle);
         const FormationDef formation = formationOf(act, crew);
         // Other things are passed beside, a gate is gone through.
-        route.push_back(gate ? *gate->doorway : standsAt(spot, scene_.world, {walker}, {formation})[0].target);
+        route.push_back(gate ? *gate->doorway
+                             : standsAt(spot, scene_.world, {walker}, {formation})[0].target);
     }
     route.push_back(target);
     return route;
@@ -118,7 +119,8 @@ void Planner::move(const Act& act, All crews) {
     if (!act.to && act.via.empty()) {
         if (changesShape(act)) return form(act, crews);
         if (act.facing) return face(act, crews);
-        if (act.verb == Verb::Face) return fail("Where to? Say “face north”, “face the middle” or “turn left”.");
+        if (act.verb == Verb::Face)
+            return fail("Where to? Say “face north”, “face the middle” or “turn left”.");
         if (act.verb == Verb::Form)
             return fail(
                 "Which shape? Say “form a ring”, a line, a column, a square, a wedge, a circle or a "

@@ -128,7 +128,9 @@ bool Reader::readForm() {
     take({"in", "into", "as", "to"});
     take({"form"});
     skipArticles();
-    const double spread = isOneOf({"big", "wide"}) ? kWider : isOneOf({"small", "tight"}) ? 1.0 / kWider : 1.0;
+    const double spread = isOneOf({"big", "wide"})      ? kWider
+                          : isOneOf({"small", "tight"}) ? 1.0 / kWider
+                                                        : 1.0;
     take({"big", "small", "single", "nice", "neat", "straight", "tight", "wide", "full", "closed"});
     const auto form = formOf(word());
     const auto named = names_.startOf(rest(), false);

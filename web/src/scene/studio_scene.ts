@@ -41,10 +41,9 @@ export interface StudioScene {
   readonly stats: ViewStats;
   /** Groups, who is chosen, and orders that are being drawn. */
   readonly orders: OrderPicture;
-  /** A scene that looks like the one before: its world may have begun again. */
-  keepScene(scene: SceneFacts): void;
-  /** Replaces the environment; where it is another world, the next frame fits the view to the crowd. */
-  setScene(scene: SceneFacts): void;
+  /** Replaces the environment; where it is another world, the next frame fits the view to the crowd. A world may begin once more that
+   * looks the same. */
+  setScene(scene: SceneFacts, looksTheSame?: boolean): void;
   /** Imported models, in place of the obstacles that they came to. */
   setScenery(models: readonly SceneryModel[]): void;
   /** The clips that frames refer to by index. */

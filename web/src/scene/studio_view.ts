@@ -107,14 +107,10 @@ export class StudioView implements StudioScene {
   get fieldScale(): FieldScale | null {
     return this.overlay_.scale;
   }
-  /** A scene that looks like the one before: its world may have begun again. */
-  keepScene(scene: SceneFacts): void {
-    this.scene_ = scene;
-  }
-
-  setScene(scene: SceneFacts): void {
+  setScene(scene: SceneFacts, looksTheSame = false): void {
     const anew = !this.scene_ || !isSameWorld(this.scene_, scene);
     this.scene_ = scene;
+    if (looksTheSame) return;
     this.membersStale_ = true;
     this.crowd_.setUsualRadius(scene.radius);
     this.orders.setGroups(scene.groups);
@@ -399,7 +395,6 @@ export class StudioView implements StudioScene {
 
   private chosenGroup(): number {
     const { overlay } = this.overlay_;
-    if (!overlay) return -1;
-    return this.crowd_.groupOf(overlay.character) ?? this.activeGroup_;
+    return overlay ? (this.crowd_.groupOf(overlay.character) ?? this.activeGroup_) : -1;
   }
 }

@@ -15,7 +15,7 @@ async function savePlace(studio, name) {
 const wallAt = (x) => ({ kind: 'putThing', obstacle: { name: 'Wall', centre: [x, 5], radius: 0.5 } });
 
 /** A place keeps its name, on the server too: after a restart the studio is in it again, and a link opens it. */
-export async function keptByName(studio, server) {
+async function keptByName(studio, server) {
   await studio.send({ type: 'Edit', label: 'Wall', gesture: 0, commands: [wallAt(5)], bodies: [] });
   await studio.eventually(async () => expect((await present(server)).obstacles.length === 1, 'the wall stands'));
   await savePlace(studio, 'My yard');
@@ -57,7 +57,7 @@ export async function keptByName(studio, server) {
 }
 
 /** The crowd of a place that ships goes on to be drawn when the place is shared. */
-export async function crowdOfAShared(studio) {
+async function crowdOfAShared(studio) {
   const triangles = () => studio.page.evaluate(() => globalThis.__muster.view.stats.triangles);
   const before = await triangles();
   await openPlaces(studio, 'Save this place');
@@ -73,7 +73,7 @@ export async function crowdOfAShared(studio) {
 }
 
 /** On a studio for the network the link is that of the network, with its code; and by a site, where one is known. */
-export async function sharedByNetwork(studio) {
+async function sharedByNetwork(studio) {
   await savePlace(studio, 'Our yard');
   await dialogOf(studio).getByRole('button', { name: 'Share…' }).click();
   const share = studio.page.locator('.share-dialog');
@@ -91,3 +91,14 @@ export async function sharedByNetwork(studio) {
     await guest.close();
   }
 }
+
+export const kShareCases = [
+  ['place files: kept by name', keptByName, ['desktop', 'phone'], { touch: false, scenario: 'scenarios/open.json' }],
+  ['places: the crowd of a shared one', crowdOfAShared, ['tablet'], { scenario: 'scenarios/fountain.json' }],
+  [
+    'place files: shared by network',
+    sharedByNetwork,
+    ['desktop', 'phone'],
+    { scenario: 'scenarios/open.json', options: ['--lan', '--site', 'https://example.org/crowd/'] },
+  ],
+];

@@ -206,6 +206,14 @@ export function moved(one: Thing, dx: number, dy: number): Thing {
   return mapped(one, ([x, y]) => [x + dx, y + dy], 0, 1);
 }
 
+/** What is pasted or doubled stands beside the old one [m]. */
+const kBeside = 1;
+
+/** Another one like it, beside it. */
+export function beside(one: Thing): Thing {
+  return moved({ ...one, id: 0 }, kBeside, -kBeside);
+}
+
 export function turned(one: Thing, about: GroundPoint, angle: number): Thing {
   const [c, s] = [Math.cos(angle), Math.sin(angle)];
   const map = ([x, y]: Vec2): Vec2 => {

@@ -1,8 +1,8 @@
 // Made by schema/generate.mjs from schema/messages.txt: change these, not this file.
 
-export const VERSION = 17;
+export const VERSION = 18;
 /** Of the WebSocket. */
-export const SUBPROTOCOL = 'muster.v17';
+export const SUBPROTOCOL = 'muster.v18';
 
 /** What a person wants of time. */
 export const PlaybackAction = {

@@ -1,5 +1,6 @@
 // Small windows have these buttons: Undo, the layers, and all that the sheet has no space for.
 
+import type { VNode } from 'preact';
 import type { OrderActions } from '../../model/order_actions';
 import type { StudioActions } from '../../model/studio_actions';
 import type { StudioStore } from '../../model/studio_store';
@@ -9,6 +10,45 @@ import { Held } from '../widgets/held';
 import { Menu, MenuItem } from '../widgets/menu';
 import { drawPanel } from '../widgets/panel';
 import { LayerBar } from '../steer/layer_bar';
+
+interface MoreProps {
+  readonly close: () => void;
+  readonly ownCharacter: string;
+  readonly replaying: boolean;
+  readonly actions: StudioActions;
+  readonly openTake: () => void;
+  readonly openCharacter: () => void;
+}
+
+function More({ close, ownCharacter, replaying, actions, openTake, openCharacter }: MoreProps): VNode {
+  return (
+    <>
+      <MenuItem icon="restart" label="Restart" close={close} act={() => actions.restart()} />
+      <MenuItem
+        icon="plus"
+        label="Add a group…"
+        hidden={replaying}
+        close={close}
+        act={() => actions.openDialog('group')}
+      />
+      <MenuItem icon="empty" label="Fit the view" close={close} act={() => actions.fit()} />
+      <MenuItem icon="takes" label="All takes…" close={close} act={() => actions.showShelf(true)} />
+      <MenuItem icon="download" label="Download take" close={close} act={() => actions.downloadTake()} />
+      <MenuItem icon="open" label="Open take…" close={close} act={openTake} />
+      <MenuItem icon="character" label="Own character…" close={close} act={openCharacter} />
+      <MenuItem
+        icon="places"
+        label="Our people"
+        hidden={ownCharacter === ''}
+        close={close}
+        act={() => actions.ourPeople()}
+      />
+      <MenuItem icon="steer" label="Control…" close={close} act={() => actions.showSchemes(true)} />
+      <MenuItem icon="moon" label="Light or dark" close={close} act={() => actions.toggleTheme()} />
+      <MenuItem icon="help" label="Help" close={close} act={() => actions.showHelp(true)} />
+    </>
+  );
+}
 
 export class PhoneBar {
   readonly root = element('div', { class: 'phone-bar panel' });
@@ -47,33 +87,7 @@ export class PhoneBar {
           label="More"
           placement="bottom-end"
         >
-          {(close) => (
-            <>
-              <MenuItem icon="restart" label="Restart" close={close} act={() => actions.restart()} />
-              <MenuItem
-                icon="plus"
-                label="Add a group…"
-                hidden={replaying}
-                close={close}
-                act={() => actions.openDialog('group')}
-              />
-              <MenuItem icon="empty" label="Fit the view" close={close} act={() => actions.fit()} />
-              <MenuItem icon="takes" label="All takes…" close={close} act={() => actions.showShelf(true)} />
-              <MenuItem icon="download" label="Download take" close={close} act={() => actions.downloadTake()} />
-              <MenuItem icon="open" label="Open take…" close={close} act={openTake} />
-              <MenuItem icon="character" label="Own character…" close={close} act={openCharacter} />
-              <MenuItem
-                icon="places"
-                label="Our people"
-                hidden={ownCharacter === ''}
-                close={close}
-                act={() => actions.ourPeople()}
-              />
-              <MenuItem icon="steer" label="Control…" close={close} act={() => actions.showSchemes(true)} />
-              <MenuItem icon="moon" label="Light or dark" close={close} act={() => actions.toggleTheme()} />
-              <MenuItem icon="help" label="Help" close={close} act={() => actions.showHelp(true)} />
-            </>
-          )}
+          {(close) => <More close={close} {...{ ownCharacter, replaying, actions, openTake, openCharacter }} />}
         </Menu>
       </>
     ));

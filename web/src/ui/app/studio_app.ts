@@ -315,7 +315,7 @@ export class StudioApp {
       // A scene comes again when only a parameter or a count changed: nothing looks different then.
       this.view_.orders.setGroups(scene.groups);
       this.scene_ = scene;
-      if (before && sceneKey(before) === sceneKey(scene)) return this.view_.keepScene(scene);
+      if (before && sceneKey(before) === sceneKey(scene)) return this.view_.setScene(scene, true);
       const opens = !before || !isSameWorld(before, scene);
       if (opens) this.forgetWorld();
       this.view_.setScene(scene);

@@ -1,8 +1,6 @@
 // Building a place: what is chosen, what is being drawn, and the edits that follow from it.
 
 import { PanelLayout } from '../widgets/panel_layout';
-import type { StudioClient } from '../../link/studio_client';
-import type { StudioStore } from '../../model/studio_store';
 import type { GroundPoint, ScreenPoint } from '../../model/plane';
 import { kDrawingOptions, motionOfTool, type BuildTool, type DrawingOptions } from '../../model/place/drawing';
 import { mistakeOf, motionOf } from '../../model/place/motions';
@@ -12,16 +10,14 @@ import * as things from '../../model/place/things';
 import type { PlaceChange, Thing, ThingKind } from '../../model/place/things';
 import { OverlayKind, PlaybackAction } from '../../protocol/messages';
 import type { SceneFacts } from '../../protocol/scene';
-import type { StudioScene } from '../../scene/studio_scene';
 import { BuildPointer } from '../../tools/build_pointer';
 import type { ArrowKey } from '../../tools/keyboard_steering';
-import type { LazyCursor } from '../steer/lazy_cursor';
-import type { HistoryController } from '../orders/history_controller';
 import type { BuildActions } from './build_actions';
 import { BuildEdits, type PlaceEdit } from './build_edits';
 import { BuildKeys } from './build_keys';
 import { BuildLayer } from './build_layer';
 import { BuildPanel } from './build_panel';
+import type { BuildParts } from './build_parts';
 import { LayerFilter } from './layer_filter';
 import { MistakeNotes } from './mistake_notes';
 import { NewSources } from './new_sources';
@@ -30,17 +26,6 @@ import { BuildStroking, type StrokeHost } from './build_strokes';
 import { cursorOver } from './cursor_strokes';
 import '../styles/build.css';
 
-export interface BuildParts {
-  readonly history: Pick<HistoryController, 'ask'>;
-  readonly client: StudioClient;
-  readonly store: StudioStore;
-  readonly view: StudioScene;
-  readonly page: HTMLElement;
-  readonly cursor: LazyCursor;
-}
-
-/** What is pasted or doubled stands beside the old one [m]. */
-const kBeside = 1;
 /** An arrow moves what is chosen by so much, with Shift by more [m]. */
 const kNudge = { short: 0.1, long: 1 };
 /** Of an edit that was refused [ms]. */
@@ -307,14 +292,11 @@ export class BuildController implements StrokeHost, BuildActions {
   }
 
   paste(): void {
-    this.add(
-      'Paste',
-      this.copied_.map((one) => things.moved({ ...one, id: 0 }, kBeside, -kBeside)),
-    );
+    this.add('Paste', this.copied_.map(things.beside));
   }
 
   duplicate(): void {
-    this.copied_ = this.chosen_;
+    this.copy();
     this.paste();
   }
 
@@ -378,10 +360,7 @@ export class BuildController implements StrokeHost, BuildActions {
     if (this.parts_.cursor.giveUp()) return;
     if (this.strokes_.busy) return this.setTool(this.tool);
     if (this.tool !== 'select') return this.setTool('select');
-    if (this.chosen_.length > 0) {
-      this.chosen_ = [];
-      return this.showChosen();
-    }
+    if (this.chosen_.length > 0) return void (this.chosen = []);
     this.parts_.store.set({ build: false });
   }
 

@@ -3,7 +3,7 @@
 import type { Scene } from '../../protocol/messages';
 import { openLazily } from '../widgets/lazily';
 import { onShiftKey } from '../widgets/shift_key';
-import type { BuildParts } from './build_controller';
+import type { BuildParts } from './build_parts';
 
 export function openBuildLazily(parts: BuildParts): void {
   const { store, client } = parts;

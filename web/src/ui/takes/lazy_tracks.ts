@@ -31,8 +31,8 @@ export class LazyTracks {
     if (!open || this.loading_) return;
     this.loading_ = true;
     import('./tracks/tracks_controller')
-      .then(({ TracksController: Controller }) => {
-        this.controller_ = new Controller(this.client_, this.store_, this.host_);
+      .then((module) => {
+        this.controller_ = new module.TracksController(this.client_, this.store_, this.host_);
         this.line_.append(this.controller_.root);
         this.controller_.show(this.shown_);
         this.controller_.setOpen(this.store_.state.tracks);

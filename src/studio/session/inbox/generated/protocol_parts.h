@@ -14,8 +14,8 @@
 
 namespace muster::protocol {
 
-inline constexpr std::uint32_t kVersion = 17;                 ///< Raised by any change of a message.
-inline constexpr const char* kSubprotocol = "muster.v17";  ///< Of the WebSocket.
+inline constexpr std::uint32_t kVersion = 18;                 ///< Raised by any change of a message.
+inline constexpr const char* kSubprotocol = "muster.v18";  ///< Of the WebSocket.
 
 using muster::ControlKind;
 using muster::TouchPhase;

@@ -58,25 +58,23 @@ export class TrackKeys {
     this.chosen(target);
     if (event.ctrlKey || event.metaKey) return this.control(event.key.toLowerCase());
     const step = (event.shiftKey ? 10 : 1) * (kNudge / state.take.stepTime);
-    switch (event.key) {
-      case 'ArrowLeft':
-        return (this.actions_.nudge(-step), true);
-      case 'ArrowRight':
-        return (this.actions_.nudge(step), true);
-      case 'ArrowUp':
-      case 'ArrowDown':
-        return this.otherRow(root, target, event.key === 'ArrowDown');
-      case 'Delete':
-      case 'Backspace':
-        return (this.actions_.remove(), true);
-      case 'Enter':
-      case ' ':
-        this.actions_.choose(block !== undefined ? { block: Number(block) } : { key: Number(key) });
-        root.querySelector<HTMLElement>('.tracks-chosen :is(input, button, select)')?.focus();
-        return true;
-      default:
-        return false;
-    }
+    const does: Partial<Record<string, () => void>> = {
+      ArrowLeft: () => this.actions_.nudge(-step),
+      ArrowRight: () => this.actions_.nudge(step),
+      ArrowUp: () => this.otherRow(root, target, false),
+      ArrowDown: () => this.otherRow(root, target, true),
+      Delete: () => this.actions_.remove(),
+      Backspace: () => this.actions_.remove(),
+      Enter: () => this.toTools(root, target),
+      ' ': () => this.toTools(root, target),
+    };
+    does[event.key]?.();
+    return event.key in does;
+  }
+
+  private toTools(root: HTMLElement, { dataset: { block, key } }: HTMLElement): void {
+    this.actions_.choose(block !== undefined ? { block: Number(block) } : { key: Number(key) });
+    root.querySelector<HTMLElement>('.tracks-chosen :is(input, button, select)')?.focus();
   }
 
   private control(key: string): boolean {
@@ -87,7 +85,7 @@ export class TrackKeys {
   }
 
   /** The block of the next row that is nearest in time. */
-  private otherRow(root: HTMLElement, from: HTMLElement, down: boolean): boolean {
+  private otherRow(root: HTMLElement, from: HTMLElement, down: boolean): void {
     const lanes = [...root.querySelectorAll('.track-lane')].filter((lane) =>
       lane.querySelector('[data-block], [data-key]'),
     );
@@ -98,6 +96,5 @@ export class TrackKeys {
       (a, b) => away(a) - away(b),
     );
     nearest?.focus();
-    return true;
   }
 }

@@ -14,7 +14,7 @@ function Seconds(props: {
   word: string;
   value: number;
   least: number;
-  set(seconds: number): void;
+  set: (seconds: number) => void;
 }): VNode {
   const { label, word, value, least, set } = props;
   return (
@@ -37,13 +37,37 @@ function Seconds(props: {
   );
 }
 
+function CopyFor({ state, actions, block }: RowsProps & { block: TakeBlock }): VNode | null {
+  const { id, group } = block;
+  const others = (state.tracks?.tracks ?? []).filter((one) => one.group !== group);
+  if (others.length === 0 || group === 0) return null;
+  return (
+    <select
+      class="track-copy-to"
+      aria-label="Copy for another group, at the playhead"
+      value=""
+      onChange={({ currentTarget }) => {
+        const to = Number(currentTarget.value);
+        currentTarget.value = '';
+        if (to > 0) actions.copyTo(id, to);
+      }}
+    >
+      <option value="">Copy for…</option>
+      {others.map(({ group: other, name }) => (
+        <option key={other} value={other}>
+          {name || `Group ${other}`}
+        </option>
+      ))}
+    </select>
+  );
+}
+
 function BlockTools({ state, actions, block }: RowsProps & { block: TakeBlock }): VNode {
-  const { take, tracks, step } = state;
+  const { take, step } = state;
   const { stepTime } = take;
-  const { id, begin, begun, end, label, group } = block;
+  const { id, begin, begun, end, label } = block;
   const put = (seconds: number): void =>
     actions.commit({ edit: 'move', id, step: Math.min(take.steps - 1, take.from + Math.round(seconds / stepTime)) });
-  const others = (tracks?.tracks ?? []).filter((one) => one.group !== group);
   return (
     <>
       <strong class="track-chosen">
@@ -81,25 +105,7 @@ function BlockTools({ state, actions, block }: RowsProps & { block: TakeBlock })
             tip="A copy begins at the playhead"
             act={() => actions.copyTo(id, 0)}
           />
-          {others.length > 0 && group > 0 && (
-            <select
-              class="track-copy-to"
-              aria-label="Copy for another group, at the playhead"
-              value=""
-              onChange={({ currentTarget }) => {
-                const to = Number(currentTarget.value);
-                currentTarget.value = '';
-                if (to > 0) actions.copyTo(id, to);
-              }}
-            >
-              <option value="">Copy for…</option>
-              {others.map(({ group: other, name }) => (
-                <option key={other} value={other}>
-                  {name || `Group ${other}`}
-                </option>
-              ))}
-            </select>
-          )}
+          <CopyFor state={state} actions={actions} block={block} />
         </>
       )}
       <ToolButton icon="close" label="Remove" shortcut="Del" act={() => actions.remove()} />
@@ -141,35 +147,46 @@ function KeyTools({ state, actions, at }: RowsProps & { at: number }): VNode {
   );
 }
 
+/** What can be done with the chosen block or view; null where nothing is chosen. */
+function chosenTools({ state, actions }: RowsProps): VNode | null {
+  const { chosen, tracks, keys } = state;
+  if (!chosen) return null;
+  if ('key' in chosen)
+    return keys.some(({ step }) => step === chosen.key) ? (
+      <KeyTools state={state} actions={actions} at={chosen.key} />
+    ) : null;
+  const block = tracks?.blocks.find(({ id }) => id === chosen.block);
+  return block ? <BlockTools state={state} actions={actions} block={block} /> : null;
+}
+
 export function TrackTools({ state, actions }: RowsProps): VNode {
-  const { tracks, chosen, waits, words } = state;
-  const block = chosen && 'block' in chosen ? tracks?.blocks.find(({ id }) => id === chosen.block) : undefined;
-  const key = chosen && 'key' in chosen && state.keys.some(({ step }) => step === chosen.key) ? chosen.key : null;
-  const said = words || (tracks && tracks.blocks.length === 0 ? kEmpty : kHint);
+  const { tracks, waits, words } = state;
+  const { undo = '', redo = '' } = tracks ?? {};
+  const said = words || (tracks?.blocks.length === 0 ? kEmpty : kHint);
+  const tools = words ? null : chosenTools({ state, actions });
   return (
     <div class="tracks-bar">
       <ToolButton
         icon="undo"
-        label={tracks?.undo ? `Undo: ${tracks.undo}` : 'Undo'}
+        label={undo ? `Undo: ${undo}` : 'Undo'}
         iconOnly
         class="tracks-undo"
         shortcut="Ctrl+Z"
-        idle={!tracks?.undo}
+        idle={!undo}
         act={() => actions.undo(false)}
       />
       <ToolButton
         icon="redo"
-        label={tracks?.redo ? `Redo: ${tracks.redo}` : 'Redo'}
+        label={redo ? `Redo: ${redo}` : 'Redo'}
         iconOnly
         class="tracks-redo"
         shortcut="Ctrl+Shift+Z"
-        idle={!tracks?.redo}
+        idle={!redo}
         act={() => actions.undo(true)}
       />
       <div class="tracks-chosen" role="group" aria-label="What is chosen" inert={waits}>
-        {!words && block && <BlockTools state={state} actions={actions} block={block} />}
-        {!words && key !== null && <KeyTools state={state} actions={actions} at={key} />}
-        <p class="tracks-words" role="status" hidden={!words && (block !== undefined || key !== null)}>
+        {tools}
+        <p class="tracks-words" role="status" hidden={tools !== null}>
           {said}
         </p>
       </div>

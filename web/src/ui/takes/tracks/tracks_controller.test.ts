@@ -44,7 +44,8 @@ beforeEach(() => {
   vi.useFakeTimers();
   HTMLElement.prototype.setPointerCapture = () => undefined;
   Object.defineProperty(HTMLElement.prototype, 'clientWidth', { configurable: true, get: () => 600 });
-  [sent, calls, listeners] = [[], [], new Map()];
+  [sent, calls] = [[], []];
+  listeners = new Map<string, Listener>();
   const client = {
     send: (message: ClientMessage) => sent.push(message),
     on: (name: string, listener: Listener) => listeners.set(name, listener),
