@@ -39,6 +39,7 @@ enum class SpotKind : std::uint8_t { Point, Thing, Group, Middle, Edge, Shift, B
 struct Spot {
     SpotKind kind = SpotKind::Point;
     Beside beside = Beside::At;
+    bool crossed = false;              ///< They go over, under or through the thing.
     Vec2 point;                        ///< For Point [m].
     std::vector<ThingSpot> things;     ///< For Thing: of several the nearest; for Between: two.
     GroupId group;                     ///< For Group.
@@ -82,6 +83,7 @@ enum class Verb : std::uint8_t {
     Guard,
     Leave,
     Wait,
+    Cross,
     Walk,
     Stop,
     Hold,

@@ -33,6 +33,9 @@ constexpr std::array kVerbs{
     VerbWords{Verb::Leave,
               "leave|leaves|leaving|exit|exits|evacuate|evacuates|go home|get out|go out|move out|"
               "go outside|come out|vacate|escape|out"},
+    VerbWords{
+        Verb::Cross,
+        "cross|crosses|swim|swims|climb|climbs|crawl|crawls|jump|jumps|hop|hops|vault|vaults|duck|ducks"},
     VerbWords{Verb::Wait, "wait|waits|waiting|queue|queues"},
     VerbWords{Verb::Stop,
               "stop|stops|halt|halts|cancel|abort|cease|stand down|drop everything|stop moving|"

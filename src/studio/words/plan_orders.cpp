@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kFollowGap = 2.0;  // Behind whom they follow [m].
 constexpr double kGuardGap = 1.5;   // Round what they guard [m].
-constexpr double kBeyond = 2.0;     // A gate that they went through [m].
+constexpr double kBeyond = 2.0;     // What they have crossed [m].
 constexpr double kGuardHalf = 2.0;  // Round a mere point [m].
 
 std::string metres(double value) {
@@ -49,22 +49,40 @@ std::string placesText(const std::vector<Spot>& places) {
     return text;
 }
 
-const ThingSpot* gateAt(const Spot& spot, Vec2 from) {
-    if (spot.kind != SpotKind::Thing || spot.beside != Beside::At) return nullptr;
-    const ThingSpot& thing = nearestOf(spot.things, from);
-    return thing.doorway ? &thing : nullptr;
+/// Where a way leads through something, and in which direction.
+struct Crossing {
+    Vec2 middle;         ///< [m]
+    Vec2 direction;      ///< Of length 1.
+    double depth = 0.0;  ///< From the middle to the far side [m].
+};
+
+/// Across the longest side of the thing, away from where they come.
+Vec2 directionAcross(const ThingSpot& thing, Vec2 middle, Vec2 from) {
+    Vec2 side = {-(middle - from).y, (middle - from).x};
+    double longest = 0.0;
+    for (std::size_t k = 0; k < thing.outline.size(); ++k) {
+        const Vec2 one = thing.outline[(k + 1) % thing.outline.size()] - thing.outline[k];
+        if (length(one) > longest) side = one, longest = length(one);
+    }
+    if (length(side) < 1e-9) return {1, 0};
+    const Vec2 across = Vec2{-side.y, side.x} / length(side);
+    return dot(middle - from, across) < 0.0 ? -across : across;
 }
 
-/// Where those stand who have gone through a gate: behind it, as seen from where they come.
-Vec2 beyond(const ThingSpot& gate, const Crew& from, const FormationDef& formation) {
-    Vec2 side;
-    for (std::size_t k = 0; k < gate.outline.size(); ++k) {
-        const Vec2 one = gate.outline[(k + 1) % gate.outline.size()] - gate.outline[k];
-        if (length(one) > length(side)) side = one;
-    }
-    Vec2 across = Vec2{-side.y, side.x} / std::max(1e-9, length(side));
-    if (dot(*gate.doorway - from.middle, across) < 0.0) across = -across;
-    return *gate.doorway + across * (extentOf(formation, from.count()).farthest() + kBeyond);
+/// A gate is gone through; other ground is crossed where it is said so.
+std::optional<Crossing> crossingAt(const Spot& spot, Vec2 from) {
+    if (spot.kind != SpotKind::Thing || spot.beside != Beside::At) return std::nullopt;
+    const ThingSpot& thing = nearestOf(spot.things, from);
+    if (!thing.doorway && !spot.crossed) return std::nullopt;
+    const Vec2 middle = thing.doorway.value_or(thing.centre);
+    const Vec2 direction = directionAcross(thing, middle, from);
+    return Crossing{middle, direction, thing.doorway ? 0.0 : thing.reach(direction)};
+}
+
+/// Where those stand who have crossed it.
+Vec2 beyond(const Crossing& crossing, const Crew& crew, const FormationDef& formation) {
+    const double far = crossing.depth + extentOf(formation, crew.count()).farthest() + kBeyond;
+    return crossing.middle + crossing.direction * far;
 }
 
 }  // namespace
@@ -105,11 +123,11 @@ std::vector<Vec2> Planner::routeOf(const Act& act, const Crew& crew, Vec2 target
     route.push_back(whereIs(crew));
     for (const Spot& spot : act.via) {
         walker.middle = route.back();
-        const ThingSpot* const gate = gateAt(spot, walker.middle);
+        const auto crossing = crossingAt(spot, walker.middle);
         const FormationDef formation = formationOf(act, crew);
-        // Other things are passed beside, a gate is gone through.
-        route.push_back(gate ? *gate->doorway
-                             : standsAt(spot, scene_.world, {walker}, {formation})[0].target);
+        // Other things are passed beside.
+        route.push_back(crossing ? crossing->middle
+                                 : standsAt(spot, scene_.world, {walker}, {formation})[0].target);
     }
     route.push_back(target);
     return route;
@@ -143,6 +161,9 @@ void Planner::move(const Act& act, All crews) {
 
 void Planner::moveTo(const Act& act, All crews, const Spot& spot) {
     if (!does(act, "go", kTo | kVia | kStand | kPace | kFreely)) return;
+    for (const Spot& one : act.via)
+        if (one.crossed && one.things.front().kind != NamedKind::Patch && !one.things.front().doorway)
+            return fail("Nobody can go over or through " + one.words + ". Say “past " + one.words + "”.");
     std::vector<FormationDef> formations;
     std::vector<Crew> from;
     for (const Crew& crew : crews) {
@@ -153,9 +174,9 @@ void Planner::moveTo(const Act& act, All crews, const Spot& spot) {
     const std::vector<Stand> stands = standsAt(spot, scene_.world, from, formations);
     for (std::size_t k = 0; k < crews.size(); ++k) {
         const Crew& crew = crews[k];
-        const ThingSpot* const gate = act.to ? nullptr : gateAt(spot, from[k].middle);
-        Order order = gate ? Order::move(beyond(*gate, from[k], formations[k]))
-                           : Order::move(stands[k].target, stands[k].facing);
+        const auto crossing = act.to ? std::nullopt : crossingAt(spot, from[k].middle);
+        Order order = crossing ? Order::move(beyond(*crossing, from[k], formations[k]))
+                               : Order::move(stands[k].target, stands[k].facing);
         if (act.facing) order.facing = facingOf(*act.facing, crew, order.target);
         if (stands[k].spacing && changesSpacing(act))
             return fail("A ring round " + spot.words + " has to be wider than that: leave the spacing out.");

@@ -172,6 +172,7 @@ void Planner::planAct(const Act& act, All crews) {
         case Verb::None:
         case Verb::Move:
         case Verb::Face:
+        case Verb::Cross:
         case Verb::Form:
         case Verb::Space:
             return move(act, crews);

@@ -25,6 +25,8 @@ void Reader::readObject(Act& act) {
         case Verb::Follow:
         case Verb::Guard:
             return readTarget(act);
+        case Verb::Cross:
+            return readCrossed(act);
         case Verb::Merge:
         case Verb::Split:
             return readParts();
@@ -63,6 +65,19 @@ void Reader::readTarget(Act& act) {
         act.to = readSpot(true);
     else
         act.others = readGroup();
+}
+
+// "climb the wall", "swim across the pool", "crawl under the net"
+void Reader::readCrossed(Act& act) {
+    act.verb = Verb::Move;
+    take({"across", "over", "under", "underneath", "through"});
+    auto spot = readSpot(true);
+    if (!spot) return;
+    spot->crossed = spot->kind == SpotKind::Thing && spot->beside == Beside::At;
+    if (spot->crossed)
+        act.via.push_back(std::move(*spot));
+    else
+        act.to = std::move(spot);
 }
 
 // "split North into three", "merge South into North", "split 10 people off North"

@@ -91,6 +91,7 @@ private:
     // What (read_acts.cpp).
     void readObject(Act& act);
     void readTarget(Act& act);
+    void readCrossed(Act& act);
     void readParts();
     void readName(Act& act);
     void readAdded(Act& act);

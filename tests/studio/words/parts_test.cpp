@@ -181,3 +181,30 @@ TEST_CASE("words: a gate is gone through, whatever its name begins with") {
     CHECK(through.target.y < -2.0);
     CHECK(orderOf("North go to the North gate").target.y > 1.0);
 }
+
+TEST_CASE("words: who swims, climbs or crawls crosses the ground for it, and nothing else") {
+    WorldDef def;
+    def.groups = {{.name = "North", .count = 9, .position = {0, 9}}};
+    def.patches = {{.name = "Pool", .polygon = {{-4, -2}, {4, -2}, {4, 2}, {-4, 2}}}};
+    def.obstacles = {{.name = "Fountain", .centre = {12, 2}, .radius = 1.0}};
+    auto made = World::create(def);
+    REQUIRE_MESSAGE(made.ok(), made.status().message());
+    const WordsScene scene{*made};
+    for (const char* text : {"North swim across the pool", "North swims through the pool",
+                             "North cross the pool", "North climb over the pool", "North jump over pool"}) {
+        CAPTURE(text);
+        const Understood said = understand(text, scene);
+        REQUIRE_MESSAGE(said.problem.empty(), said.problem);
+        REQUIRE(said.commands.size() == 1);
+        const auto* give = std::get_if<GiveOrder>(&said.commands[0]);
+        REQUIRE(give != nullptr);
+        CHECK(give->order.target.y < -3.0);
+        REQUIRE(give->order.route.size() == 3);
+        CHECK(length(give->order.route[1]) < 1e-9);
+    }
+    const Understood on = understand("North swim across the pool to 12, -9", scene);
+    REQUIRE_MESSAGE(on.problem.empty(), on.problem);
+    CHECK(std::get<GiveOrder>(on.commands.at(0)).order.target.x == doctest::Approx(12.0));
+    CHECK(understand("North climb the fountain", scene).problem.find("Nobody can go over or through") !=
+          std::string::npos);
+}

@@ -5,7 +5,8 @@ import type { Vec2 } from '../../protocol/generated/commands';
 import { convexHull } from '../plane';
 import { frameOf, isCarSized, reachAlong, resized, stretched } from './frame';
 import { gateOf } from './gates';
-import { thing, type Thing } from './things';
+import { extentOf, moved, thing, type Thing } from './things';
+import type { SceneFacts } from '../../protocol/scene';
 
 /** A motion of the place. `length`: of one play, where people play it once across a thing; else 0 [m]. */
 export interface PlaceClip {
@@ -117,6 +118,29 @@ export function mistakeOf(one: Thing, clips: readonly PlaceClip[]): Mistake | nu
   const does = motionWord(clip.name).toLowerCase();
   const text = `${one.name || kindName(one, clips)} is ${width.toFixed(1)} m deep; people can ${does} ${least.toFixed(1)} to ${most.toFixed(1)} m.`;
   return { thing: one, text, fits: fitted(one, clip.length) };
+}
+
+/** So far a span has to move to lie within another one; a longer one ends with it in the middle. */
+function shiftWithin(low: number, high: number, least: number, most: number): number {
+  if (high - low > most - least) return (least + most - low - high) / 2;
+  return Math.max(0, least - low) + Math.min(0, most - high);
+}
+
+/** What has its middle beyond the ground, where nobody goes; null for all else. */
+export function outsideOf(one: Thing, { min, max }: SceneFacts['box'], clips: readonly PlaceClip[]): Mistake | null {
+  const [x, y] = one.centre;
+  const extent = extentOf([one]);
+  if (!extent || (x >= min[0] && x <= max[0] && y >= min[1] && y <= max[1])) return null;
+  const text = `${one.name || kindName(one, clips)} lies beyond the ground, where nobody can go.`;
+  const dx = shiftWithin(extent.minX, extent.maxX, min[0], max[0]);
+  return { thing: one, text, fits: moved(one, dx, shiftWithin(extent.minY, extent.maxY, min[1], max[1])) };
+}
+
+/** All mistakes of a place, one for each thing. */
+export function mistakesOf(all: readonly Thing[], scene: SceneFacts | null, clips: readonly PlaceClip[]): Mistake[] {
+  return all
+    .map((one) => (scene && outsideOf(one, scene.box, clips)) ?? mistakeOf(one, clips))
+    .filter((one) => one !== null);
 }
 
 /** How deep what lies across people's way has to be. */

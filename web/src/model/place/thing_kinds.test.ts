@@ -1,12 +1,12 @@
 import { expect, it } from 'vitest';
-import { isGatePath } from '../../protocol/scene';
+import { isGatePath, type SceneFacts } from '../../protocol/scene';
 import { withDoor } from './doors';
 import { polygonThing } from './drawing';
 import { frameOf, resized } from './frame';
 import { gated, gateOf, isOpenAt, kNever, pressedAt } from './gates';
-import { kindName, mistakeOf, withMotion } from './motions';
+import { kindName, mistakeOf, mistakesOf, outsideOf, withMotion } from './motions';
 import { carAlong, changedAt, defined, placeOn, routed, standing } from './routes';
-import { thing, turned, type Thing } from './things';
+import { moved, thing, turned, type Thing } from './things';
 
 const kClips = [
   { name: 'run', length: 0 },
@@ -120,4 +120,14 @@ it('another motion makes another thing: ground, or what is in the way', () => {
   const round = withMotion(hedge, -1, kClips);
   expect([round.kind, round.name, frameOf(round.polygon!).width.toFixed(2)]).toEqual(['obstacle', 'Hedge', '0.30']);
   expect(kindName(withMotion(wall, 1, kClips), kClips)).toBe('Water');
+});
+
+it('says what lies beyond the ground, and moves it inside', () => {
+  const box = { min: [-10, -10], max: [10, 10] } as const;
+  expect(outsideOf(wall, box, kClips)).toBeNull();
+  const away = { ...moved(wall, 20, -14), name: 'Yard' };
+  const mistake = outsideOf(away, box, kClips)!;
+  expect(mistake.text).toBe('Yard lies beyond the ground, where nobody can go.');
+  expect(mistake.fits.polygon).toEqual(moved(wall, 4, -10).polygon);
+  expect(mistakesOf([wall, away], { box } as unknown as SceneFacts, kClips)).toHaveLength(1);
 });

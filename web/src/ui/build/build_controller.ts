@@ -3,7 +3,7 @@
 import { PanelLayout } from '../widgets/panel_layout';
 import type { GroundPoint, ScreenPoint } from '../../model/plane';
 import { kDrawingOptions, motionOfTool, type BuildTool, type DrawingOptions } from '../../model/place/drawing';
-import { mistakeOf, motionOf } from '../../model/place/motions';
+import { mistakesOf, motionOf } from '../../model/place/motions';
 import { withDoor } from '../../model/place/doors';
 import { standing } from '../../model/place/routes';
 import * as things from '../../model/place/things';
@@ -165,7 +165,7 @@ export class BuildController implements StrokeHost, BuildActions {
       this.refresh();
     }
     const shown = this.preview.length > 0 ? this.preview : this.things_;
-    this.notes_.draw(shown.map((one) => mistakeOf(one, this.options.clips)).filter((one) => one !== null));
+    this.notes_.draw(mistakesOf(shown, this.scene, this.options.clips));
     this.layer_.draw({
       time: this.time,
       things: this.things_.filter(this.layers_.sees),
