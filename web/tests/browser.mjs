@@ -260,6 +260,7 @@ const kCases = [
   ['record and replay', session.recordAndReplay, ['desktop'], { room: true }],
   ['takes: life of a take', takes.life, ['desktop', 'phone'], { scenario: 'web/tests/scenarios/hundred.json' }],
   ['takes: scrub and trim', takes.scrubAndTrim, ['landscape', 'phone'], { scenario: 'scenarios/open.json' }],
+  ['takes: late, and left', takes.lateAndLeft, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
   ['takes: again and on top', takes.againAndOnTop, ['desktop'], { scenario: 'web/tests/scenarios/two-groups.json' }],
   ...tracks.kTracksCases,
   ['takes: film camera', film.filmCamera, ['desktop', 'portrait', 'phone'], { ...kOpen, room: false, release: true }],

@@ -364,3 +364,31 @@ export async function cutOff(studio, server) {
     await again.stop();
   }
 }
+
+/** A take that is recorded late fills its time line; who leaves it is back in the world they left, as it was. */
+export async function lateAndLeft(studio) {
+  const wall = { kind: 'putThing', obstacle: { name: 'Wall', centre: [5, 5], radius: 0.5 } };
+  await studio.send({ type: 'Edit', label: 'Wall', gesture: 0, commands: [wall], bodies: [] });
+  await studio.send({ type: 'SetSpeed', factor: 8 });
+  await studio.until('half a minute', () => globalThis.__muster.frame.step > 1800, null, 60000);
+  await studio.send({ type: 'SetSpeed', factor: 1 });
+  await record(studio, 2);
+  await stop(studio);
+  const left = await now(studio);
+  await play(studio);
+  await studio.until('the part', () => /^0:0\d\.\d of 0:0\d/.test(document.querySelector('.time-clock').textContent));
+  await pause(studio);
+  const ends = await studio.page.evaluate(() =>
+    ['.time-from', '.time-to'].map((name) => parseFloat(document.querySelector(name).style.left)),
+  );
+  expect(ends[1] - ends[0] > 60, `the part fills most of the line: ${ends}`);
+  await studio.shot('takes-late');
+  await studio.page.locator('.time-close').click();
+  await studio.until('the world', () => !globalThis.__muster.frame.replaying);
+  expect((await now(studio)) >= left, 'it goes on where it was left');
+  const { obstacles } = await studio.page.evaluate(async () => (await globalThis.__muster.ask('scenario')).json());
+  expect(
+    obstacles?.some(({ name }) => name === 'Wall'),
+    'what was built stands',
+  );
+}
