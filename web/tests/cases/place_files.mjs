@@ -169,7 +169,10 @@ export async function autosave(studio, server) {
   await studio.until('the copy in the browser', () => localStorage.getItem('muster.autosave') !== null);
   await reload(studio, server.url);
   await studio.wait(1500);
-  expect((await studio.page.locator('.place-banner:not([hidden])').count()) === 0, 'nothing is offered while the server has it');
+  expect(
+    (await studio.page.locator('.place-banner:not([hidden])').count()) === 0,
+    'nothing is offered while the server has it',
+  );
   server.kill();
   await studio.wait(300);
   const again = await startStudio({ scenario: server.scenario, port: server.port, takes: server.takes });
