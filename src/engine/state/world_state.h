@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <map>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -13,6 +12,7 @@
 #include "engine/ground/routes/route_graph.h"
 #include "engine/passages/survey_state.h"
 #include "engine/state/area.h"
+#include "engine/state/command_order.h"
 #include "engine/state/continuum.h"
 #include "engine/state/group.h"
 #include "engine/state/own_route.h"
@@ -85,11 +85,6 @@ struct WorldState {
     const RouteGraph& routesOf(const Group& group) const;
     RouteGraph& routesOf(const Group& group) { return asMutable(std::as_const(*this).routesOf(group)); }
 };
-
-/// The order in which commands are applied.
-inline bool comesBefore(const Command& a, const Command& b) {
-    return std::tie(a.step, a.client, a.sequence) < std::tie(b.step, b.client, b.sequence);
-}
 
 /// The region in which most of a group's characters stand who fit on its ground, the lower label among
 /// equals; -1 for none. `counts` becomes the number of its characters by region.

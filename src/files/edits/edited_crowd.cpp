@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/maths.h"
+#include "base/easing.h"
 #include "engine/ground/environment/environment.h"
 #include "engine/steering/motion_state.h"
 #include "engine/world/inspect.h"
@@ -17,17 +17,8 @@ constexpr double kGoing = 0.5;      // Speed from which the way alone tells wher
 constexpr double kOtherWay = 0.3;   // Difference of velocities from which it counts in full [m/s].
 constexpr float kEyes = 1.6f;       // Height of the eyes of who is looked at [m].
 
-double smooth(double share) {
-    const double s = std::clamp(share, 0.0, 1.0);
-    return s * s * (3.0 - 2.0 * s);
-}
-
 double angleOf(Vec2 v) {
     return arcTangent2(v.y, v.x);
-}
-
-double wrapped(double angle) {
-    return angle - 2.0 * kPi * std::floor(angle / (2.0 * kPi) + 0.5);
 }
 
 /// The part that a time lies in; null for none.
@@ -41,14 +32,14 @@ const Part* partAt(const std::vector<Part>& parts, double time) {
 }  // namespace
 
 Vec2 turnedHeading(Vec2 heading, Vec2 recorded, Vec2 velocity) {
-    const double other = smooth(length(velocity - recorded) / kOtherWay);
-    const double going = smooth(length(velocity) / kGoing);
+    const double other = smoothStep(length(velocity - recorded) / kOtherWay);
+    const double going = smoothStep(length(velocity) / kGoing);
     if (other * going <= 0.0) return heading;
     // Who went aside goes on aside.
-    const double went = smooth(length(recorded) / kGoing);
+    const double went = smoothStep(length(recorded) / kGoing);
     const double face = angleOf(heading);
-    const double aside = went > 0.0 ? went * wrapped(face - angleOf(recorded)) : 0.0;
-    const double turn = other * going * wrapped(angleOf(velocity) + aside - face);
+    const double aside = went > 0.0 ? went * wrappedAngle(face - angleOf(recorded)) : 0.0;
+    const double turn = other * going * wrappedAngle(angleOf(velocity) + aside - face);
     return Rotation{cosine(turn), sine(turn)}.apply(heading);
 }
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/maths.h"
+#include "base/easing.h"
 #include "files/edits/edited_crowd.h"
 #include "files/export/chosen_people.h"
 #include "muster/motion.h"
@@ -126,8 +126,7 @@ private:
         ExportCharacter& out = frame_[i];
         out.position = before.position + (out.position - before.position) * share;
         const double turn = static_cast<double>(out.yaw) - before.yaw;
-        out.yaw = static_cast<float>(before.yaw +
-                                     share * (turn - 2.0 * kPi * std::floor(turn / (2.0 * kPi) + 0.5)));
+        out.yaw = static_cast<float>(before.yaw + share * wrappedAngle(turn));
         // Where it goes on in its clip without a switch or a new beginning.
         if (before.clip == out.clip && before.clipTime <= out.clipTime && before.fade >= out.fade) {
             out.clipTime = before.clipTime + static_cast<float>(share) * (out.clipTime - before.clipTime);

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <map>
 
-#include "base/maths.h"
+#include "base/easing.h"
 #include "engine/ground/environment/environment.h"
 #include "engine/world/inspect.h"
 #include "files/export/formats.h"
@@ -103,8 +103,7 @@ private:
         // Before the character appears it waits at its first position; while it is absent it keeps its last
         // pose.
         if (Status s = fill(person, frame.index); !s.ok()) return s;
-        const double change = static_cast<double>(character.yaw) - person.turn;
-        person.turn += change - 2.0 * kPi * std::floor(change / (2.0 * kPi) + 0.5);
+        person.turn += wrappedAngle(static_cast<double>(character.yaw) - person.turn);
         person.last = usdPersonValues(character, person.turn);
         if (person.changes.empty()) {
             person.changes.push_back(frame.index);

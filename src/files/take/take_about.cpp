@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/easing.h"
 #include "files/take/about_words.h"
 #include "files/take/take_edits.h"
 #include "json/json.h"
@@ -25,19 +26,6 @@ Status checkPiece(const SpeedPiece& piece, double earliest, const std::string& w
     return {};
 }
 
-double smooth(double share) {
-    const double t = std::clamp(share, 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
-
-Status readNumber(const Json& object, const char* key, double& value) {
-    const Json* found = object.find(key);
-    if (found == nullptr) return {};
-    if (!found->isNumber()) return wrongKind(key, *found, "a number");
-    value = found->number();
-    return {};
-}
-
 Status readStep(const Json& object, const char* key, std::uint32_t& step) {
     const Json* found = object.find(key);
     if (found == nullptr || found->isNull()) return {};
@@ -53,11 +41,10 @@ Status readSpeeds(const Json& list, std::vector<SpeedPiece>& speeds) {
     for (const Json& entry : list.elements()) {
         if (!entry.isObject()) return wrongKind("speeds", entry, "objects in it");
         SpeedPiece piece;
-        for (const auto& [key, value] : {std::pair<const char*, double*>{"from", &piece.from},
-                                         {"to", &piece.to},
-                                         {"speed", &piece.speed},
-                                         {"ease", &piece.ease}})
-            if (Status s = readNumber(entry, key, *value); !s.ok()) return s.within("speeds");
+        const Status status = readNumbers(
+            entry,
+            {{"from", &piece.from}, {"to", &piece.to}, {"speed", &piece.speed}, {"ease", &piece.ease}});
+        if (!status.ok()) return status.within("speeds");
         speeds.push_back(piece);
     }
     return {};
@@ -81,12 +68,12 @@ Status readCamera(const Json& list, std::vector<CameraKey>& camera) {
         if (!entry.isObject()) return wrongKind("camera", entry, "objects in it");
         CameraKey key;
         Status status = readStep(entry, "step", key.step);
-        for (const auto& [name, value] : {std::pair<const char*, double*>{"x", &key.x},
-                                          {"y", &key.y},
-                                          {"distance", &key.distance},
-                                          {"turn", &key.turn},
-                                          {"pitch", &key.pitch}})
-            if (status.ok()) status = readNumber(entry, name, *value);
+        if (status.ok())
+            status = readNumbers(entry, {{"x", &key.x},
+                                         {"y", &key.y},
+                                         {"distance", &key.distance},
+                                         {"turn", &key.turn},
+                                         {"pitch", &key.pitch}});
         const Json* cut = entry.find("cut");
         if (status.ok() && cut != nullptr && !cut->isBoolean())
             status = wrongKind("cut", *cut, "true or false");
@@ -113,7 +100,7 @@ double TakeAbout::speedAt(double seconds) const {
         const double ease = std::min(piece.ease, 0.5 * (piece.to - piece.from));
         if (ease <= 0.0) return piece.speed;
         const double inside = std::min(seconds - piece.from, piece.to - seconds);
-        return 1.0 + (piece.speed - 1.0) * smooth(inside / ease);
+        return 1.0 + (piece.speed - 1.0) * smoothStep(inside / ease);
     }
     return 1.0;
 }

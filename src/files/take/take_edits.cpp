@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <set>
 #include <utility>
 
@@ -130,19 +129,6 @@ Status checkEdit(const TakeEdit& edit, const std::string& where, std::set<std::u
 
 // ---- JSON ----
 
-using Field = std::pair<const char*, double*>;
-
-Status readNumbers(const Json& object, std::initializer_list<Field> fields) {
-    if (!object.isObject()) return wrongKind("edits", object, "objects in it");
-    for (const auto& [key, value] : fields) {
-        const Json* found = object.find(key);
-        if (found == nullptr) continue;
-        if (!found->isNumber()) return wrongKind(key, *found, "a number");
-        *value = found->number();
-    }
-    return {};
-}
-
 Status readPerson(const Json& value, const char* key, std::uint32_t& id) {
     const bool fits = value.isWhole() && value.number() >= 0.0 && value.number() <= 4294967295.0;
     if (!fits) return wrongKind(key, value, "the number of a person");
@@ -185,8 +171,11 @@ Status readList(const Json& edit, const char* key, std::vector<Part>& parts) {
     const Json* list = edit.find(key);
     if (list == nullptr) return {};
     if (!list->isArray()) return wrongKind(key, *list, "an array");
-    for (const Json& entry : list->elements())
-        if (Status s = readPart(entry, parts.emplace_back()); !s.ok()) return s.within(key);
+    for (const Json& entry : list->elements()) {
+        const Status s = entry.isObject() ? readPart(entry, parts.emplace_back())
+                                          : wrongKind("edits", entry, "objects in it");
+        if (!s.ok()) return s.within(key);
+    }
     return {};
 }
 

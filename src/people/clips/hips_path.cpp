@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/maths.h"
+#include "base/easing.h"
 
 namespace muster {
 namespace {
@@ -14,10 +14,6 @@ constexpr double kLeastLength = 0.15;  // Length below which a path has no direc
 constexpr double kLeastLever = 0.3;
 // Angle between facing and travel beyond which the motion goes sideways [rad].
 constexpr double kMaxSidewaysAngle = 0.8;
-
-double wrapped(double angle) {
-    return angle - 2.0 * kPi * std::floor(angle / (2.0 * kPi) + 0.5);
-}
 
 Travel travelOf(double x, double y, double yaw) {
     return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(yaw)};
@@ -51,7 +47,7 @@ double arcOf(std::span<const HipsAt> hips, double chord, double turn) {
 
 void unwrap(std::vector<HipsAt>& hips) {
     for (std::size_t i = 1; i < hips.size(); ++i)
-        hips[i].facing = hips[i - 1].facing + wrapped(hips[i].facing - hips[i - 1].facing);
+        hips[i].facing = hips[i - 1].facing + wrappedAngle(hips[i].facing - hips[i - 1].facing);
 }
 
 std::vector<Travel> evenTravel(std::span<const HipsAt> hips) {
@@ -62,9 +58,11 @@ std::vector<Travel> evenTravel(std::span<const HipsAt> hips) {
     for (const HipsAt& at : hips) mean += at.facing / static_cast<double>(hips.size());
     const double along = chord > kLeastLength ? arcTangent2(dy, dx) : mean;
     // The middle of the arc faces along the chord, unless the motion goes sideways.
-    const double middle = std::fabs(wrapped(along - mean)) < kMaxSidewaysAngle ? mean + wrapped(along - mean)
-                                                                               : mean;
-    const double begin = middle - 0.5 * turn, sideways = chord > kLeastLength ? wrapped(along - middle) : 0.0;
+    const double middle = std::fabs(wrappedAngle(along - mean)) < kMaxSidewaysAngle
+                              ? mean + wrappedAngle(along - mean)
+                              : mean;
+    const double begin = middle - 0.5 * turn,
+                 sideways = chord > kLeastLength ? wrappedAngle(along - middle) : 0.0;
     const double arc = turn == 0.0 ? chord : arcOf(hips, chord, turn);
     std::vector<Travel> travel;
     double shiftX = 0.0, shiftY = 0.0;

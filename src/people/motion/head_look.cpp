@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/maths.h"
+#include "base/easing.h"
 
 namespace muster {
 namespace {
@@ -22,11 +22,6 @@ struct Share {
 };
 constexpr std::array<Share, 3> kShares{
     {{JointRole::Chest, 0.2, 0.0}, {JointRole::Neck, 0.3, 0.4}, {JointRole::Head, 0.5, 0.6}}};
-
-/// The angle in -pi to pi.
-double wrapped(double angle) {
-    return angle - 2.0 * kPi * std::floor(angle / (2.0 * kPi) + 0.5);
-}
 
 void ease(double wanted, double dt, float& angle) {
     const double step = (wanted - static_cast<double>(angle)) * std::min(1.0, dt / kEaseTime);
@@ -51,7 +46,7 @@ HeadTurn wantedTurn(const Mover& mover, const Transform& head, Vec3 target) {
     const double facePitch = arcTangent2(static_cast<double>(face.z), flat);
     const double yaw = std::clamp(arcTangent2(left.y, left.x), -kMostYaw, kMostYaw);
     const double pitch = std::clamp(arcTangent2(up, length(left)), -kMostPitch, kMostPitch);
-    return {wrapped(yaw - faceYaw), pitch - facePitch};
+    return {wrappedAngle(yaw - faceYaw), pitch - facePitch};
 }
 
 }  // namespace

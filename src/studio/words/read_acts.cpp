@@ -264,18 +264,9 @@ bool Reader::readDuration() {
     return true;
 }
 
-// "to the fountain", "at 5, 3", "5 m east", "into North", "into three", "facing north", "red"
-bool Reader::readPreposition() {
-    const std::size_t before = at_;
-    if (take({"facing", "looking"})) {
-        auto facing = readFacing();
-        if (!facing) return at_ = before, false;
-        Act& how = act();
-        if (how.verb == Verb::None) how.verb = how.to ? Verb::Move : Verb::Face;
-        if (how.facing) return failTwice(), true;
-        how.facing = std::move(facing);
-        return true;
-    }
+// What only the verb before it can be followed by: whether it has been read; none where it is read like
+// anything else.
+std::optional<bool> Reader::readOfVerb() {
     Act* const last = clause().acts.empty() ? nullptr : &clause().acts.back();
     const Verb verb = last != nullptr && !(boundary_ && then_) ? last->verb : Verb::None;
     if (verb == Verb::Face && !last->facing)
@@ -333,6 +324,22 @@ bool Reader::readPreposition() {
         if (!last->to) failAtWord();
         return true;
     }
+    return std::nullopt;
+}
+
+// "to the fountain", "at 5, 3", "5 m east", "into North", "into three", "facing north", "red"
+bool Reader::readPreposition() {
+    const std::size_t before = at_;
+    if (take({"facing", "looking"})) {
+        auto facing = readFacing();
+        if (!facing) return at_ = before, false;
+        Act& how = act();
+        if (how.verb == Verb::None) how.verb = how.to ? Verb::Move : Verb::Face;
+        if (how.facing) return failTwice(), true;
+        how.facing = std::move(facing);
+        return true;
+    }
+    if (const auto read = readOfVerb()) return *read;
     if (take({"home"}))
         return fail("I do not know where home is: say a place, as “the middle” or “5, 3”."), true;
     auto spot = readSpot();

@@ -101,6 +101,7 @@ private:
     bool readPace();
     bool readVia();
     bool readDuration();
+    std::optional<bool> readOfVerb();
     bool readPreposition();
 
     std::string_view text_;

@@ -222,6 +222,11 @@ TEST_CASE("tracks: what later blocks need stays before them") {
     watcher.edit(TrackEdit::Move, 0, 99999);
     CHECK(refusal(watcher).find("after the end of the take") != std::string::npos);
     CHECK(*watcher.session.take() == before);
+    // Times are those of the part that plays.
+    watcher.client.send(protocol::EditTake{.from = 90, .to = 1000000});
+    watcher.edit(TrackEdit::Remove, 0);
+    CHECK_MESSAGE(refusal(watcher).find("at −0:01 makes what “Move” at 0:01 needs") != std::string::npos,
+                  refusal(watcher));
     // Earlier it may be, and the one that nothing needs may go.
     watcher.edit(TrackEdit::Move, 0, 10);
     CHECK(refusal(watcher).empty());

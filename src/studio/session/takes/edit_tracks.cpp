@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <tuple>
 #include <utility>
 
+#include "engine/state/command_order.h"
 #include "muster/session.h"
 #include "studio/session/history/generated/command_ids.h"
 #include "studio/session/takes/run_again.h"
@@ -60,8 +60,7 @@ public:
         const Status done = apply();
         if (!done.ok()) return done;
         std::stable_sort(draft_.begin(), draft_.end(), [](const DraftCommand& a, const DraftCommand& b) {
-            return std::tie(a.command.step, a.command.client, a.command.sequence) <
-                   std::tie(b.command.step, b.command.client, b.command.sequence);
+            return comesBefore(a.command, b.command);
         });
         if (const Status met = needsMet(); !met.ok()) return met;
         ChangedTake result{take_, what()};
@@ -294,7 +293,10 @@ private:
                 return "“" + block.label + "” at " + clock(block.begin);
         return "what was done at " + clock(take_.commands[command].step);
     }
-    std::string clock(std::uint32_t step) const { return clockOf(step * dt_); }
+    std::string clock(std::uint32_t step) const {
+        const bool before = step < change_.zero;
+        return (before ? "−" : "") + clockOf((before ? change_.zero - step : step - change_.zero) * dt_);
+    }
     static std::string named(const TakeNews::GroupTimes& group) {
         return group.name.empty() ? "group " + std::to_string(group.id.value) : group.name;
     }

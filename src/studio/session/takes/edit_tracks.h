@@ -15,6 +15,7 @@ struct TrackChange {
     std::uint32_t block = 0;  ///< Index into takeBlocks().
     std::uint32_t step = 0;   ///< Where it begins then; for Stretch, where it ends.
     GroupId group;            ///< For Copy: whose the copy is; none for the same group's.
+    std::uint32_t zero = 0;   ///< Where the part begins, from which sentences count times.
 };
 
 /// A changed take.

@@ -1,14 +1,13 @@
 #include "studio/session/takes/run_again.h"
 
 #include <algorithm>
-#include <tuple>
+
+#include "engine/state/command_order.h"
 
 namespace muster {
 
 void runAgain(Take& take, std::uint32_t steps) {
-    std::stable_sort(take.commands.begin(), take.commands.end(), [](const Command& a, const Command& b) {
-        return std::tie(a.step, a.client, a.sequence) < std::tie(b.step, b.client, b.sequence);
-    });
+    std::stable_sort(take.commands.begin(), take.commands.end(), comesBefore);
     std::erase_if(take.commands, [&](const Command& command) { return command.step >= steps; });
     take.marks.clear();
     take.events.clear();

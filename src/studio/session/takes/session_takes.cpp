@@ -93,7 +93,6 @@ void Session::takeEdited(const std::string& fileName, const TakeAbout& about) {
     if (!impl_->player || fileName.empty() || impl_->player->fileName() != fileName) return;
     TakeAbout edited = about;
     edited.camera = impl_->player->about().camera;
-    edited.edits = impl_->player->about().edits;
     impl_->player->edit(edited, impl_->player->loops());
     impl_->touchTake();
 }
@@ -281,9 +280,9 @@ Status Session::Impl::editTake(const protocol::EditTake& message) {
 void Session::Impl::sendTake(SessionClient& client) {
     if (client.sentTake != takeRevision) {
         if (player) {
-            protocol::TakeState state = player->state();
-            if (beneath) state.beneath = beneath->def.name;
-            client.outbox.push_back(protocol::encode(state));
+            protocol::TakeState message = player->state();
+            if (beneath) message.beneath = beneath->def.name;
+            client.outbox.push_back(protocol::encode(message));
         }
         if (!player && client.sentTake != 0) client.outbox.push_back(protocol::encode(protocol::TakeState{}));
         client.sentTake = takeRevision;

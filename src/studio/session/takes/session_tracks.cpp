@@ -32,7 +32,8 @@ Status Session::Impl::changeTracks(const protocol::EditTrack& message) {
         return {StatusCode::Unsupported, "the take has changed meanwhile; try again"};
     if (player->preparing())
         return {StatusCode::Unsupported, "the take is still being read; it can be changed in a moment"};
-    const TrackChange change{message.edit, message.block, message.step, GroupId{message.group}};
+    const TrackChange change{message.edit, message.block, message.step, GroupId{message.group},
+                             player->first()};
     auto changed = editTracks(player->take(), player->paths(), player->news(), change);
     if (!changed.ok()) return changed.status();
     TakeVersion before = present();

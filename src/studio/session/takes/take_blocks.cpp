@@ -4,9 +4,9 @@
 #include <map>
 #include <numeric>
 #include <optional>
-#include <tuple>
 #include <utility>
 
+#include "engine/state/command_order.h"
 #include "studio/session/inbox/generated/command_traits.h"
 #include "studio/session/takes/block_labels.h"
 
@@ -231,10 +231,8 @@ private:
 std::vector<std::size_t> inOrder(const std::vector<Command>& commands) {
     std::vector<std::size_t> order(commands.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-        const Command &a = commands[i], &b = commands[j];
-        return std::tie(a.step, a.client, a.sequence) < std::tie(b.step, b.client, b.sequence);
-    });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t i, std::size_t j) { return comesBefore(commands[i], commands[j]); });
     return order;
 }
 

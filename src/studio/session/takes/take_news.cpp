@@ -1,17 +1,10 @@
 #include "studio/session/takes/take_news.h"
 
-#include <tuple>
+#include "engine/state/command_order.h"
 
 namespace muster {
-namespace {
 
-bool before(const Command& a, const Command& b) {
-    return std::tie(a.step, a.client, a.sequence) < std::tie(b.step, b.client, b.sequence);
-}
-
-}  // namespace
-
-TakeNews::TakeNews(const Take& take) : refused_(&before) {
+TakeNews::TakeNews(const Take& take) : refused_(&comesBefore) {
     std::uint32_t id = 0;
     for (const GroupDef& group : take.def.groups) {
         ++id;

@@ -36,7 +36,7 @@ export function loadWhen(
 /** Loads a panel that a switch of the state opens and closes; <html> has the switch, too. Returns what gives the panel. */
 export function openLazily<Panel extends { setOpen(open: boolean): void }>(
   store: StudioStore,
-  name: 'build' | 'measures' | 'paths' | 'words',
+  name: 'build' | 'measures' | 'paths' | 'tracks' | 'words',
   load: () => Promise<Panel>,
 ): () => Panel | null {
   let panel: Panel | null = null;

@@ -151,12 +151,6 @@ export class PeopleEditor implements BuildStrokes {
     this.change({ pins });
   }
 
-  /** Moves the chosen pin by so much [m]. */
-  nudge(dx: number, dy: number): void {
-    const pin = this.edit_.pins[this.pin_];
-    if (pin) this.change({ pins: movedPin(this.edit_.pins, this.pin_, { x: pin.x + dx, y: pin.y + dy }) });
-  }
-
   removePin(): void {
     const pins = this.edit_.pins.filter((_, k) => k !== this.pin_);
     this.pin_ = -1;

@@ -69,7 +69,7 @@ function PinTools({ state: { edit, pin }, editor }: Props): VNode {
       <ToolButton label="Narrower" word="−" tip="Less of the path moves along" act={() => reach(1 / 1.5)} />
       <span title="So long before and after it the path moves along">{held.seconds.toFixed(1)} s</span>
       <ToolButton label="Wider" word="+" tip="More of the path moves along" act={() => reach(1.5)} />
-      <ToolButton label="Remove pin" word="Remove" shortcut="Del" act={() => editor.removePin()} />
+      <ToolButton label="Remove pin" word="Remove" act={() => editor.removePin()} />
     </div>
   );
 }
